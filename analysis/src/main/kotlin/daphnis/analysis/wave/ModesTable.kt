@@ -2,14 +2,14 @@ package daphnis.analysis.wave
 
 import daphnis.analysis.table.NumberColumns
 import daphnis.core.format.FormatException
-import daphnis.core.population.ModeQuantity
+import daphnis.core.wave.ModeQuantity
 import daphnis.core.run.ModeColumns
 import daphnis.core.table.Column
 import java.nio.file.Path
 
 /**
  * A run's `modes.csv` by mode: each number as a series in time. What the modes are is said by
- * [daphnis.core.population.ModeSums].
+ * [daphnis.core.wave.ModeSums].
  *
  * @property modes number of modes beside mode 0
  * @property times of the states, ascending, in the run's units

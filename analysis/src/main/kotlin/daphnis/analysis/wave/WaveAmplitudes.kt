@@ -1,7 +1,7 @@
 package daphnis.analysis.wave
 
 import daphnis.core.orbit.OrbitalFrequencies
-import daphnis.core.population.ModeQuantity
+import daphnis.core.wave.ModeQuantity
 import kotlin.math.PI
 import kotlin.math.atan2
 import kotlin.math.cos

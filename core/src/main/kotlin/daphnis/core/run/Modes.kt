@@ -2,8 +2,8 @@ package daphnis.core.run
 
 import daphnis.core.Output
 import daphnis.core.Simulation
-import daphnis.core.population.ModeQuantity
-import daphnis.core.population.ModeSums
+import daphnis.core.wave.ModeQuantity
+import daphnis.core.wave.ModeSums
 import daphnis.core.scenario.OutputSpec
 import daphnis.core.table.Column
 import daphnis.core.table.Columns

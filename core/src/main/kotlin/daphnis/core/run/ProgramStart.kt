@@ -2,7 +2,7 @@ package daphnis.core.run
 
 import daphnis.core.Interval
 import daphnis.core.hill.HillFrame
-import daphnis.core.population.ModeSums
+import daphnis.core.wave.ModeSums
 import daphnis.core.population.Population
 import daphnis.core.population.PopulationSums
 import daphnis.core.scenario.InputException

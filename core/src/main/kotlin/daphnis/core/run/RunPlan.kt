@@ -6,7 +6,7 @@ import daphnis.core.cluster.FleetEngines
 import daphnis.core.engine.EngineFactory
 import daphnis.core.engine.SerialEngine
 import daphnis.core.population.MaterialSums
-import daphnis.core.population.ModeSums
+import daphnis.core.wave.ModeSums
 import daphnis.core.population.PopulationSums
 import daphnis.core.population.SpinSums
 import daphnis.core.scenario.OutputSpec

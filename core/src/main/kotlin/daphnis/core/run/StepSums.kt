@@ -7,7 +7,7 @@ import daphnis.core.orbit.OrbitalFrequencies
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.MaterialSums
-import daphnis.core.population.ModeSums
+import daphnis.core.wave.ModeSums
 import daphnis.core.population.PopulationSums
 import daphnis.core.population.SpinSums
 

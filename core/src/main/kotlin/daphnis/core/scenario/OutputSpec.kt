@@ -1,6 +1,6 @@
 package daphnis.core.scenario
 
-import daphnis.core.population.ModeSums
+import daphnis.core.wave.ModeSums
 import kotlinx.serialization.SerialName
 import kotlinx.serialization.Serializable
 import kotlinx.serialization.json.Json

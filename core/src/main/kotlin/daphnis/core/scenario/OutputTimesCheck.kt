@@ -1,7 +1,7 @@
 package daphnis.core.scenario
 
 import daphnis.core.Interval
-import daphnis.core.population.ModeSums
+import daphnis.core.wave.ModeSums
 import kotlin.math.abs
 
 /** Checks how often a scenario's outputs are written. */

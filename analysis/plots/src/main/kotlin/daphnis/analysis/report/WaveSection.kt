@@ -6,7 +6,7 @@ import daphnis.analysis.table.Column
 import daphnis.analysis.table.Table
 import daphnis.analysis.table.UnitNames
 import daphnis.analysis.wave.WaveGrowth
-import daphnis.core.population.ModeQuantity
+import daphnis.core.wave.ModeQuantity
 import kotlin.math.cos
 import kotlin.math.sin
 

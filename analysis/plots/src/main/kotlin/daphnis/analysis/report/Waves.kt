@@ -6,7 +6,7 @@ import daphnis.analysis.wave.ModesTable
 import daphnis.analysis.wave.WaveAmplitudes
 import daphnis.analysis.wave.WaveAverages
 import daphnis.analysis.wave.WaveGrowth
-import daphnis.core.population.ModeQuantity
+import daphnis.core.wave.ModeQuantity
 import kotlin.math.PI
 
 /**

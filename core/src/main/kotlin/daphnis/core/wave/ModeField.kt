@@ -1,4 +1,4 @@
-package daphnis.core.population
+package daphnis.core.wave
 
 import kotlin.math.sqrt
 

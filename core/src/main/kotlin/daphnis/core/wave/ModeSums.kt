@@ -1,9 +1,13 @@
-package daphnis.core.population
+package daphnis.core.wave
 
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeBody
 import daphnis.core.parallel.RangeLoop
+import daphnis.core.population.ExactSum
+import daphnis.core.population.ParticleBlock
+import daphnis.core.population.Population
+import daphnis.core.population.Workers
 import kotlin.math.PI
 
 /** What [ModeSums] has modes of. */

@@ -1,4 +1,7 @@
-package daphnis.core.population
+package daphnis.core.wave
+
+import daphnis.core.population.ExactSum
+import daphnis.core.population.ParticleBlock
 
 /**
  * Σ w, Σ w cos(k_m x) and Σ w sin(k_m x) of some spheres, for m up to [order], as exact sums: threads may take parts of

@@ -1,4 +1,4 @@
-package daphnis.core.population
+package daphnis.core.wave
 
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.LeesEdwards
@@ -10,10 +10,11 @@ import daphnis.core.parallel.FixedPool
 import daphnis.core.parallel.LoopStrategy
 import daphnis.core.parallel.ParallelLoop
 import daphnis.core.permuted
-import daphnis.core.population.ModeQuantity.DENSITY
-import daphnis.core.population.ModeQuantity.TEMPERATURE
-import daphnis.core.population.ModeQuantity.VELOCITY_X
-import daphnis.core.population.ModeQuantity.VELOCITY_Y
+import daphnis.core.population.Population
+import daphnis.core.wave.ModeQuantity.DENSITY
+import daphnis.core.wave.ModeQuantity.TEMPERATURE
+import daphnis.core.wave.ModeQuantity.VELOCITY_X
+import daphnis.core.wave.ModeQuantity.VELOCITY_Y
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
