@@ -1,5 +1,6 @@
 package daphnis.analysis.moonlet
 
+import kotlin.math.abs
 import kotlin.math.floor
 import kotlin.math.sqrt
 
@@ -20,6 +21,9 @@ import kotlin.math.sqrt
  * @property diffusion D, length²/time
  * @property diffusionError one standard error
  * @property times n, of all walkers
+ * @property length of each
+ * @property correlation of one change with the next: where it is not 0 within √(1/n), [diffusion] is that of a time too
+ *   short. Below 0 what was pushed away comes back.
  */
 public class RandomWalk private constructor(
     public val drift: Double,
@@ -27,7 +31,12 @@ public class RandomWalk private constructor(
     public val diffusion: Double,
     public val diffusionError: Double,
     public val times: Int,
+    public val length: Double,
+    public val correlation: Double,
 ) {
+    /** Whether changes look independent of one another. */
+    public val isSettled: Boolean get() = !(abs(correlation) * sqrt(times.toDouble()) > FAR)
+
     /** Root mean square of the walk in [duration] without the drift, √(2 D t); length. */
     public fun amplitude(duration: Double): Double = sqrt(2 * diffusion * duration)
 
@@ -37,6 +46,24 @@ public class RandomWalk private constructor(
     public companion object {
         /** Times below which there are no errors. */
         public const val FEWEST: Int = 8
+
+        /** Standard errors beyond which a correlation is none by chance. */
+        private const val FAR = 1.5
+
+        /**
+         * Over times of [shortest], or twice, four times … as long, until changes look independent of one another
+         * ([isSettled]), or there are fewer than [FEWEST] times. Errors are NaN where they never do.
+         *
+         * @throws IllegalArgumentException as [of]
+         */
+        @JvmStatic
+        public fun settled(time: List<DoubleArray>, x: List<DoubleArray>, shortest: Double): RandomWalk {
+            var walk = of(time, x, shortest)
+            while (!walk.isSettled && walk.times >= 2 * FEWEST) walk = of(time, x, 2 * walk.length)
+            if (walk.isSettled) return walk
+            val d = walk.diffusion
+            return RandomWalk(walk.drift, Double.NaN, d, Double.NaN, walk.times, walk.length, walk.correlation)
+        }
 
         /**
          * Of walkers with the coordinates [x], each at its own [time], ascending.
@@ -51,6 +78,7 @@ public class RandomWalk private constructor(
             var changes = 0
             var walkers = 0
             var square = 0.0
+            var product = 0.0
             var way = 0.0
             var duration = 0.0
             for (k in x.indices) {
@@ -59,9 +87,12 @@ public class RandomWalk private constructor(
                 val first = ends.first()
                 val last = ends.last()
                 val v = (x[k][last] - x[k][first]) / (time[k][last] - time[k][first])
+                var before = 0.0
                 for (j in 1 until ends.size) {
                     val rest = x[k][ends[j]] - x[k][ends[j - 1]] - v * (time[k][ends[j]] - time[k][ends[j - 1]])
                     square += rest * rest
+                    product += before * rest
+                    before = rest
                 }
                 changes += ends.size - 1
                 walkers++
@@ -78,6 +109,8 @@ public class RandomWalk private constructor(
                 d,
                 known * d * sqrt(2.0 / freedom),
                 changes,
+                length,
+                if (square > 0) product / square else 0.0,
             )
         }
 

@@ -35,7 +35,7 @@ class RandomWalkTest {
         var diffusion = 0
         repeat(400) {
             val all = List(walkers) { walk(random, rows, 0.3, 0.02, memory) }
-            val found = RandomWalk.of(all.map { it.first }, all.map { it.second }, 5.0)
+            val found = RandomWalk.settled(all.map { it.first }, all.map { it.second }, 5.0)
             if (abs(found.drift - 0.02) < found.driftError) drift++
             if (abs(found.diffusion - 0.3) < found.diffusionError) diffusion++
         }
@@ -49,6 +49,32 @@ class RandomWalkTest {
             assertTrue(drift in 0.6..0.75) { "drift $drift of $walkers with memory $memory" }
             assertTrue(diffusion in 0.6..0.75) { "diffusion $diffusion of $walkers with memory $memory" }
         }
+    }
+
+    @Test
+    fun `where a push is taken back in part, times are doubled until changes are independent`() {
+        val random = Random(5)
+        val short = ArrayList<Double>()
+        val long = ArrayList<Double>()
+        repeat(200) {
+            // A walk of D = 0.3, and on top of it a swing of 2.5 that forgets itself after 1.5.
+            val (time, x) = walk(random, 1601, 0.3, 0.0, 0.0)
+            var swing = 0.0
+            val keep = exp(-0.5 / 1.5)
+            for (k in x.indices) {
+                swing = keep * swing + sqrt(1 - keep * keep) * 2.5 * random.nextGaussian()
+                x[k] += swing
+            }
+            val first = RandomWalk.of(listOf(time), listOf(x), 5.0)
+            assertTrue(!first.isSettled && first.correlation < 0) { "${first.correlation}" }
+            short += first.diffusion
+            val found = RandomWalk.settled(listOf(time), listOf(x), 5.0)
+            assertTrue(found.length >= 10 && found.diffusionError.isNaN() != found.isSettled)
+            long += found.diffusion
+        }
+        // What a swing adds is its variance over the time: 1.25 at 5, 0.16 at 40.
+        assertEquals(1.5, short.average(), 0.1)
+        assertTrue(long.average() < 0.6) { "${long.average()}" }
     }
 
     @Test

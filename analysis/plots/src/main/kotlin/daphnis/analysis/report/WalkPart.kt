@@ -19,7 +19,7 @@ internal class WalkPart(private val study: Study) : Part {
     private val walk: RandomWalk? by lazy {
         val time = late.map { it[BodyColumns.TIME] }
         val isLong = time.any { it.size > 2 && it.last() - it[0] >= 2 * MEMORY * orbit * (1 + ROUNDING) }
-        if (isLong) RandomWalk.of(time, late.map { it[BodyColumns.GUIDING_X] }, MEMORY * orbit) else null
+        if (isLong) RandomWalk.settled(time, late.map { it[BodyColumns.GUIDING_X] }, MEMORY * orbit) else null
     }
 
     fun numbers(): List<NumberRow> {
@@ -32,7 +32,9 @@ internal class WalkPart(private val study: Study) : Part {
             rows.average("moonlet_eccentricity", "a·e of the first moonlet, mean", BlockAverage.of(e), units.length)
         }
         val found = walk ?: return rows.list()
-        val blocks = "${ReportText.count(found.times, "time")} of ${ReportText.short(MEMORY)} orbits"
+        val returns = if (found.isSettled) "" else ", still correlated ($CORRELATED)"
+        val blocks =
+            "${ReportText.count(found.times, "time")} of ${ReportText.short(found.length / orbit)} orbits$returns"
         val distance = units.length
         val century = HUNDRED * orbit
         return rows.list() + listOf(
@@ -105,8 +107,9 @@ internal class WalkPart(private val study: Study) : Part {
     }
 
     private companion object {
-        /** Orbits over which pushes are forgotten: an epicycle is damped, and what passed is gone. */
+        /** The least of orbits over which pushes are forgotten: an epicycle is damped, and what passed is gone. */
         const val MEMORY = 2.0
+        const val CORRELATED = "a longer run is needed"
         const val HUNDRED = 100
         const val MOST_CURVES = 6
         const val ROUNDING = 1e-9
