@@ -2,9 +2,9 @@ package daphnis.analysis.wave
 
 import daphnis.analysis.table.NumberColumns
 import daphnis.core.format.FormatException
-import daphnis.core.wave.ModeQuantity
 import daphnis.core.run.ModeColumns
 import daphnis.core.table.Column
+import daphnis.core.wave.ModeQuantity
 import java.nio.file.Path
 
 /**

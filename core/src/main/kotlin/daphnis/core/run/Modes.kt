@@ -2,14 +2,14 @@ package daphnis.core.run
 
 import daphnis.core.Output
 import daphnis.core.Simulation
-import daphnis.core.wave.ModeQuantity
-import daphnis.core.wave.ModeSums
 import daphnis.core.scenario.OutputSpec
 import daphnis.core.table.Column
 import daphnis.core.table.Columns
 import daphnis.core.table.Dimension
 import daphnis.core.table.Need
 import daphnis.core.table.TableColumns
+import daphnis.core.wave.ModeQuantity
+import daphnis.core.wave.ModeSums
 
 /** The declaration of [Modes]. Its table is of the whole run or there is none. */
 internal object ModesOutput : PeriodicOutput("modes", OutputSpec::modesEvery, OutputSpec::modesInterval) {

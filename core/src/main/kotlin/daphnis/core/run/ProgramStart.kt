@@ -2,12 +2,12 @@ package daphnis.core.run
 
 import daphnis.core.Interval
 import daphnis.core.hill.HillFrame
-import daphnis.core.wave.ModeSums
 import daphnis.core.population.Population
 import daphnis.core.population.PopulationSums
 import daphnis.core.scenario.InputException
 import daphnis.core.scenario.IntervalUnit
 import daphnis.core.scenario.OutputSpec
+import daphnis.core.wave.ModeSums
 import kotlin.math.abs
 
 /** Makes the program's simulation first and then the directory, so a refusal leaves everything as it was. */

@@ -35,6 +35,7 @@ public class RunDirectory internal constructor(public val path: Path, internal v
 
     /** Fourier modes; only when the scenario asks for them. */
     public val modes: Path get() = path.resolve(ModeColumns.file)
+
     /** Places and orbits of the scenario's bodies; only when the scenario asks for them. */
     public val bodies: Path get() = path.resolve(BodyColumns.file)
     public val snapshots: Path get() = path.resolve(SNAPSHOTS)

@@ -6,12 +6,12 @@ import daphnis.core.cluster.FleetEngines
 import daphnis.core.engine.EngineFactory
 import daphnis.core.engine.SerialEngine
 import daphnis.core.population.MaterialSums
-import daphnis.core.wave.ModeSums
 import daphnis.core.population.PopulationSums
 import daphnis.core.population.SpinSums
 import daphnis.core.scenario.OutputSpec
 import daphnis.core.scenario.ResolvedScenario
 import daphnis.core.scenario.ScenarioSetup
+import daphnis.core.wave.ModeSums
 
 /**
  * What is run in a run directory, for a scenario and a [Program] alike.

@@ -7,9 +7,9 @@ import daphnis.core.orbit.OrbitalFrequencies
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.MaterialSums
-import daphnis.core.wave.ModeSums
 import daphnis.core.population.PopulationSums
 import daphnis.core.population.SpinSums
+import daphnis.core.wave.ModeSums
 
 /**
  * The [sums] over a population, taken once after a step for any number of outputs: by the threads of this process, or,

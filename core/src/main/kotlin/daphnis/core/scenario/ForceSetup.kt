@@ -22,6 +22,10 @@ internal class ForceSetup(
     /** @param firstBody id of the first of the bodies */
     fun forces(boundary: BoundaryConditions, firstBody: Int): List<Force> {
         this.boundary = boundary
+        val mutual = scenario.forces.indices.filter { scenario.forces[it] is ForceSpec.SelfGravity }
+        check.must("forces[${mutual.getOrNull(1)}]", mutual.size < 2) {
+            "is self-gravity of all spheres, as forces[${mutual[0]}] is; one is enough"
+        }
         val forces = scenario.forces.mapIndexed { k, spec -> force(spec, "forces[$k]", firstBody) }
         return if (frequencies == null) forces else forces + HillFrame(frequencies)
     }

@@ -1,5 +1,6 @@
 package daphnis.core.scenario
 
+import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.hill.Epicycle
 import daphnis.core.orbit.OrbitalFrequencies
 import daphnis.core.population.Population
@@ -12,6 +13,7 @@ import kotlin.math.abs
 internal class MoonCheck(
     private val scenario: Scenario,
     private val population: Population,
+    private val boundary: BoundaryConditions,
     private val orbits: OrbitalFrequencies,
     private val check: ValueCheck,
 ) {
@@ -27,9 +29,13 @@ internal class MoonCheck(
         val p = population
         val body = Epicycle.of(p.x[index], p.y[index], p.z[index], p.vx[index], p.vy[index], p.vz[index], orbits)
         val reach = moon.radius + p.radius[index] + moon.e + body.e
-        check.that("forces[$k].x", moon.x, abs(moon.x - body.guidingX) > reach) {
-            "on its way the satellite crosses the plane within bodies[$b], whose orbit is at ${body.guidingX}; " +
-                "it must be farther than $reach from there"
+        // A body that swings through a face goes on at the other side.
+        val images = if (boundary.repeats(0)) boundary.box.length(0).let { listOf(-it, 0.0, it) } else listOf(0.0)
+        for (at in images.map { body.guidingX + it }) {
+            check.that("forces[$k].x", moon.x, abs(moon.x - at) > reach) {
+                "on its way the satellite crosses the plane within bodies[$b], whose orbit is at $at; " +
+                    "it must be farther than $reach from there"
+            }
         }
     }
 }

@@ -54,6 +54,7 @@ public class OutputSpecBuilder internal constructor() {
 
     /** How many modes `modes.csv` has, beside mode 0. */
     public fun modes(count: Int): OutputSpecBuilder = apply { modes = count }
+
     /** Steps between rows of `bodies.csv`; 0 for none. */
     public fun bodiesEvery(steps: Int): OutputSpecBuilder = apply { bodies = steps }
 

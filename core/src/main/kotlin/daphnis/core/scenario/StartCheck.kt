@@ -5,6 +5,7 @@ import daphnis.core.TimeStep
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.ContactFaces
 import daphnis.core.boundary.ShearedPeriodic
+import daphnis.core.force.mesh.MeshPoints
 import daphnis.core.format.SnapshotCheck
 import daphnis.core.population.Population
 import daphnis.core.search.Overlap
@@ -53,6 +54,7 @@ internal class StartCheck(
             checkSlide(timeStep)
             checkJumps(timeStep)
             checkSatellites(timeStep)
+            checkMeshes()
         }
         if (!isPlaced) return
         computable("velocities") { Reach().measure(population, boundary, timeStep.next(population)) }
@@ -110,9 +112,9 @@ internal class StartCheck(
      * moon within one step.
      */
     private fun checkSatellites(timeStep: TimeStep) {
-        val rate = abs(boundary.meanFlow?.rate ?: return)
         val orbits = FrameSetup.frequencies(scenario, check.source) ?: return
-        MoonCheck(scenario, population, orbits, check).check()
+        MoonCheck(scenario, population, boundary, orbits, check).check()
+        val rate = abs(orbits.shearRate)
         for ((k, force) in scenario.forces.withIndex()) {
             if (force !is ForceSpec.Satellite || force.radius == 0.0) continue
             val farthest =
@@ -121,6 +123,37 @@ internal class StartCheck(
             check.that("forces[$k].radius", force.radius, way < 2 * force.radius) {
                 "is small compared with the $way that particles drift past it in a step; " +
                     "take a smaller dt, or 0 for a point"
+            }
+        }
+    }
+
+    /** Clouds of a mesh that reach beyond the patch make each sphere pull on each of many images by itself. */
+    private fun checkMeshes() {
+        val box = boundary.box
+        for ((k, spec) in scenario.forces.withIndex()) {
+            if (spec !is ForceSpec.SelfGravity || spec.method != GravityMethod.MESH || population.size == 0) continue
+            val lowest = population.z.min()
+            val highest = population.z.max()
+            fun points(softening: Double) = MeshPoints.choose(
+                population.size,
+                box.length(0),
+                box.length(1),
+                lowest,
+                highest,
+                spec.spacing ?: 0.0,
+                softening,
+            )
+            val edge = minOf(box.length(0), box.length(1))
+            check.must("forces[$k].method", points(0.0).reach <= edge) {
+                "is mesh, for flat patches; spheres from $lowest to $highest make it coarser than the patch is wide; " +
+                    "take the tree"
+            }
+            check.that("forces[$k].softening", spec.softening, points(spec.softening).reach <= edge) {
+                "makes the mesh coarser than the patch is wide; take the tree"
+            }
+            val size = points(spec.softening).let { it.nx.toDouble() * it.ny * it.nz }
+            check.must("forces[$k].spacing", size <= MOST_POINTS) {
+                "makes a mesh of $size points, and there can be $MOST_POINTS; give a greater one"
             }
         }
     }
@@ -155,5 +188,8 @@ internal class StartCheck(
          * between would be searched.
          */
         private const val MOST_BOXES = 3
+
+        /** Of a mesh, 0.3 GB. */
+        private const val MOST_POINTS = 40_000_000
     }
 }

@@ -60,6 +60,7 @@ class NodesAgreeTest {
         "ring-patch",
         3,
         "untilOrbits=0.2",
+        """particles.sizes={"type":"power-law","minimum":0.7,"maximum":2,"exponent":3}""",
         """forces=[{"type":"self-gravity","method":"radial-modes","modes":20}]""",
     )
 

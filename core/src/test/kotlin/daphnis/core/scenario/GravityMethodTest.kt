@@ -5,6 +5,7 @@ import daphnis.core.force.RadialGravity
 import daphnis.core.force.SelfGravity
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
+import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
 class GravityMethodTest {
@@ -64,5 +65,24 @@ class GravityMethodTest {
         fun warnings(keys: String) = setup(keys, *heavy.toTypedArray()).let { warnings(it) }
         assertEquals(2, warnings("").size)
         assertEquals(emptyList<String>(), warnings(""","method":"radial-modes","modes":12"""))
+    }
+
+    @Test
+    fun `a mesh coarser than its patch, one of too many points and a second gravity are refused in one line`() {
+        val soft = refused(""","method":"mesh","softening":3""")
+        assertEquals(
+            "patch: forces[0].softening: is 3.0; makes the mesh coarser than the patch is wide; take the tree",
+            soft,
+        )
+        setup(""","method":"mesh","softening":1.5""")
+        val high = """bodies=[{"radius":1,"mass":1,"position":[0,0,800]}]"""
+        val why = refused(""","method":"mesh"""", high)
+        assertTrue("forces[0].method: is mesh, for flat patches; spheres from" in why) { why }
+        val wide = arrayOf("box.lengths=[1990,1990,20]", "particles.opticalDepth=0.0005")
+        val many = refused(""","method":"mesh","spacing":1""", *wide)
+        assertTrue("forces[0].spacing: makes a mesh of " in many) { many }
+        val twice = """forces=[{"type":"self-gravity"},{"type":"self-gravity","method":"radial-modes","modes":3}]"""
+        val second = refused("", twice)
+        assertEquals("patch: forces[1]: is self-gravity of all spheres, as forces[0] is; one is enough", second)
     }
 }

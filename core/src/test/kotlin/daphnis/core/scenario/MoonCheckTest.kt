@@ -43,6 +43,14 @@ class MoonCheckTest {
             assertTrue("forces[0].x" in why && "bodies[0]" in why && "45.0" in why && '\n' !in why) { why }
         }
         accepted(""""x":10,"y":-900""", "bodies=[]")
+        // The body's own epicycle comes to it, a face of the box beyond which it goes on, and a patch without shear.
+        val swinging = refused(""""x":55.1,$moon""", "bodies[0].velocity=[0.001,0,0]")
+        assertTrue("bodies[0]" in swinging) { swinging }
+        val beyond = refused(""""x":-52,"y":-900,"radius":2""", "bodies[0].position=[46,0,0]")
+        assertTrue("bodies[0]" in beyond && "-54" in beyond) { beyond }
+        val open = arrayOf("boundary={\"type\":\"open\"}", "velocities.shearProfile=false")
+        val alone = refused(""""x":12,"y":-50""", *open)
+        assertTrue("forces[0].x" in alone) { alone }
     }
 
     @Test
