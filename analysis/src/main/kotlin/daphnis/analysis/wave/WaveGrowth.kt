@@ -103,7 +103,13 @@ public class WaveGrowth private constructor(
 
         /** By how much the logarithm rises in the time of growth, above the noise that a run fills with at first. */
         private fun gain(logarithms: DoubleArray, first: Int, last: Int): Double {
-            val noise = if (first < SETTLING) maxOf(logarithms[first], smooth(logarithms)[SETTLING]) else logarithms[first]
+            val noise = if (first <
+                SETTLING
+            ) {
+                maxOf(logarithms[first], smooth(logarithms)[SETTLING])
+            } else {
+                logarithms[first]
+            }
             return logarithms[last] - noise
         }
 

@@ -100,9 +100,10 @@ internal class WaveSection(private val study: Study) : Section {
             logY = true,
             vertical = study.from / scale.time,
         )
-        val caption = "Root mean square of v_x in each mode by epicyclic period: of the momentum density over the mean " +
-            "surface density, which in steep waves is more than v_x. Averages begin at the dashed line. " +
-            "wave-history.csv also has that part which turns as epicycles do, from which growth is found."
+        val caption =
+            "Root mean square of v_x in each mode by epicyclic period: of the momentum density over the mean " +
+                "surface density, which in steep waves is more than v_x. Averages begin at the dashed line. " +
+                "wave-history.csv also has that part which turns as epicycles do, from which growth is found."
         study.draw(page, figure, "wave-speeds", "strength of each mode over time", caption)
         val columns = waves.modes.map { Column("rms_vx_$it", scale.speedName, speeds[it - 1]) } +
             waves.modes.map { Column("coherent_vx_$it", scale.speedName, coherent[it - 1]) }
