@@ -16,7 +16,8 @@ import kotlin.math.sqrt
  * with ω near κ. Hence (v_x,m + i (2Ω/κ) v_y,m)/2 is the wave that goes outward, and the conjugate of
  * (v_x,m − i (2Ω/κ) v_y,m)/2 the one that goes inward, at every instant, for travelling and for standing waves. Both
  * are multiplied by exp(iκt) and averaged over each period. So what does not oscillate with a frequency near κ, as most
- * of the noise of the particles' own motion, falls out. A wave whose frequency is 1.2 κ loses 6 % of its amplitude.
+ * of the noise of the particles' own motion, falls out, and nearly all of the harmonics of a steep wave, near 2 κ. A
+ * wave whose frequency is 1.2 κ loses 6 % of its amplitude.
  *
  * @property start time at which the first period begins
  * @property period 2π/κ
@@ -28,6 +29,8 @@ public class WaveAmplitudes private constructor(
     public val kappa: Double,
     private val outward: Array<DoubleArray>,
     private val inward: Array<DoubleArray>,
+    private val squares: DoubleArray,
+    private val powers: DoubleArray,
 ) {
     /** Number of periods. */
     public val size: Int get() = outward[0].size
@@ -35,14 +38,21 @@ public class WaveAmplitudes private constructor(
     /** The middle of period [k]. */
     public fun time(k: Int): Double = start + (k + 0.5) * period
 
-    /** Mean square of v_x in the wave that goes outward, in period [k]. */
+    /** Mean square of v_x in the wave that goes outward, in period [k]; of what is coherent with exp(−iκt). */
     public fun outward(k: Int): Double = square(outward, k)
 
-    /** Mean square of v_x in the wave that goes inward, in period [k]. */
+    /** Mean square of v_x in the wave that goes inward, in period [k]; of what is coherent with exp(−iκt). */
     public fun inward(k: Int): Double = square(inward, k)
 
-    /** Root mean square of v_x over the box and period [k], of both waves. */
-    public fun speed(k: Int): Double = sqrt(outward(k) + inward(k))
+    /** Root mean square over the box and period [k] of that part of v_x which is coherent with exp(−iκt). */
+    public fun coherentSpeed(k: Int): Double = sqrt(outward(k) + inward(k))
+
+    /** Root mean square of v_x over the box and period [k], with all that the mode has. */
+    public fun rmsSpeed(k: Int): Double = sqrt(squares[k])
+
+    /** Part of the power of both velocities in the given [periods] that is coherent with exp(−iκt), from 0 to 1. */
+    public fun coherence(periods: Iterable<Int>): Double =
+        periods.sumOf { outward(it) + inward(it) } / periods.sumOf { powers[it] }
 
     private fun square(wave: Array<DoubleArray>, k: Int) = (wave[0][k] * wave[0][k] + wave[1][k] * wave[1][k]) / 2
 
@@ -70,6 +80,9 @@ public class WaveAmplitudes private constructor(
         /** Rows in a period below which nothing is said. */
         public const val FEWEST_ROWS: Int = 4
 
+        /** Coherence below which a mode is no epicyclic wave: it has no frequency, no direction and no growth. */
+        public const val LEAST_COHERENCE: Double = 0.5
+
         /**
          * Of mode [m] of [table] in a ring of [frequencies], by whole periods from the first row on; null where there
          * is none, or one with fewer than [FEWEST_ROWS] rows.
@@ -95,6 +108,8 @@ public class WaveAmplitudes private constructor(
             if (periods < 1) return null
             val outward = Array(2) { DoubleArray(periods) }
             val inward = Array(2) { DoubleArray(periods) }
+            val squares = DoubleArray(periods)
+            val powers = DoubleArray(periods)
             val count = IntArray(periods)
             val factor = 2 * frequencies.omega / kappa
             for (row in times.indices) {
@@ -103,20 +118,19 @@ public class WaveAmplitudes private constructor(
                 count[k]++
                 val c = cos(kappa * times[row]) / 2
                 val s = sin(kappa * times[row]) / 2
+                val square = x.first[row] * x.first[row] + x.second[row] * x.second[row]
+                val along = y.first[row] * y.first[row] + y.second[row] * y.second[row]
+                squares[k] += square / 2
+                powers[k] += (square + factor * factor * along) / 4
                 // v_x + i f v_y, and the conjugate of v_x − i f v_y.
                 add(outward, k, x.first[row] - factor * y.second[row], x.second[row] + factor * y.first[row], c, s)
                 add(inward, k, x.first[row] + factor * y.second[row], factor * y.first[row] - x.second[row], c, s)
             }
             if (count.any { it < FEWEST_ROWS }) return null
-            for (wave in listOf(outward, inward)) {
-                for (part in wave) {
-                    for (k in part.indices) {
-                        part[k] /=
-                            count[k].toDouble()
-                    }
-                }
+            for (part in listOf(*outward, *inward, squares, powers)) {
+                for (k in part.indices) part[k] /= count[k].toDouble()
             }
-            return WaveAmplitudes(times.first(), period, kappa, outward, inward)
+            return WaveAmplitudes(times.first(), period, kappa, outward, inward, squares, powers)
         }
 
         private fun add(to: Array<DoubleArray>, k: Int, re: Double, im: Double, c: Double, s: Double) {

@@ -14,14 +14,15 @@ import kotlin.math.ln
  * Landau's equation; by a straight line where the run ends before it and q is not told. So the rate s is that of small
  * amplitudes, although the fit needs no time without saturation. Its noise is that of [LevelNoise]. Where there is no
  * growth over [FEWEST] periods by a factor of e or more, and by three errors, a straight line is fitted over all
- * periods.
+ * periods. That factor counts from period [SETTLING] on, since a run that starts evenly spread fills with noise first,
+ * and the mode must be coherent with epicycles ([WaveAmplitudes.LEAST_COHERENCE]): harmonics of a wave are not.
  *
  * @property rate s, per unit of time
  * @property rateError one standard error; NaN for too few periods
  * @property frequency in radians per unit of time, over the same periods; the phase of both waves together is fitted by
  *   a line, with noise alike
  *
- * @property frequencyError one standard error
+ * @property frequencyError one standard error; both are NaN for a mode that is not coherent
  * @property isGrowing whether growth was found
  * @property first period with which the time fitted begins, [last] with which it ends
  */
@@ -37,6 +38,9 @@ public class WaveGrowth private constructor(
     public companion object {
         /** Periods below which nothing is fitted. */
         public const val FEWEST: Int = 8
+
+        /** Periods in which noise fills a run that starts evenly spread. */
+        private const val SETTLING = 4
         private const val TOP = 0.7
         private const val FLOOR = 1.5
         private const val SIGNIFICANT = 3.0
@@ -53,10 +57,10 @@ public class WaveGrowth private constructor(
         public fun of(waves: WaveAmplitudes): WaveGrowth? {
             val n = waves.size
             if (n < FEWEST) return null
-            val logarithms = DoubleArray(n) { ln(waves.speed(it)) }
+            val logarithms = DoubleArray(n) { ln(waves.coherentSpeed(it)) }
             if (logarithms.any { !it.isFinite() }) return null
             val (first, last) = window(logarithms)
-            if (last - first + 1 >= FEWEST && logarithms[last] - logarithms[first] >= 1) {
+            if (last - first + 1 >= FEWEST && gain(logarithms, first, last) >= 1 && isCoherent(waves, first, last)) {
                 val part = logarithms.copyOfRange(first, last + 1)
                 // Where growth is not over, nothing tells how it will end.
                 val fits = sequenceOf({ landau(part) }, { if (last == n - 1) line(part, part) else null })
@@ -77,7 +81,11 @@ public class WaveGrowth private constructor(
             last: Int,
         ): WaveGrowth {
             val phases = waves.phases().copyOfRange(first, last + 1)
-            val turning = line(phases, logarithms.copyOfRange(first, last + 1)) ?: (Double.NaN to Double.NaN)
+            val turning = if (isCoherent(waves, first, last)) {
+                line(phases, logarithms.copyOfRange(first, last + 1))
+            } else {
+                null
+            } ?: (Double.NaN to Double.NaN)
             val period = waves.period
             return WaveGrowth(
                 rate / period,
@@ -90,13 +98,31 @@ public class WaveGrowth private constructor(
             )
         }
 
+        private fun isCoherent(waves: WaveAmplitudes, first: Int, last: Int) =
+            waves.coherence(first..last) >= WaveAmplitudes.LEAST_COHERENCE
+
+        /** By how much the logarithm rises in the time of growth, above the noise that a run fills with at first. */
+        private fun gain(logarithms: DoubleArray, first: Int, last: Int): Double {
+            val noise = if (first <
+                SETTLING
+            ) {
+                maxOf(logarithms[first], smooth(logarithms)[SETTLING])
+            } else {
+                logarithms[first]
+            }
+            return logarithms[last] - noise
+        }
+
+        /** Medians of five periods, of fewer at the ends. */
+        private fun smooth(logarithms: DoubleArray) = DoubleArray(logarithms.size) {
+            val from = maxOf(0, it - HALF_WIDTH)
+            val to = minOf(logarithms.size, it + HALF_WIDTH + 1)
+            logarithms.copyOfRange(from, to).also { part -> part.sort() }[(to - from) / 2]
+        }
+
         /** First and last period of the time of growth. */
         private fun window(logarithms: DoubleArray): Pair<Int, Int> {
-            val smooth = DoubleArray(logarithms.size) {
-                val from = maxOf(0, it - HALF_WIDTH)
-                val to = minOf(logarithms.size, it + HALF_WIDTH + 1)
-                logarithms.copyOfRange(from, to).also { part -> part.sort() }[(to - from) / 2]
-            }
+            val smooth = smooth(logarithms)
             val most = smooth.max()
             val reached = smooth.indexOfFirst { it > most + ln(TOP) }
             val summit = smooth.indexOfFirst { it == most }
@@ -163,23 +189,36 @@ public object WaveAverages {
     /**
      * Mean frequency over the periods of [waves] from the time [from] on, in radians per unit of time: the angle by
      * which the amplitudes turn from period to period, weighted by their squares. Frequencies are told apart within
-     * κ/2 of κ.
+     * κ/2 of κ. Mean NaN where less than [WaveAmplitudes.LEAST_COHERENCE] of the power is coherent, as of harmonics.
      */
     @JvmStatic
     public fun frequency(waves: WaveAmplitudes, from: Double): BlockAverage {
+        if (!isCoherent(waves, from)) return NONE
         val turns = (0 until waves.size - 1).filter { waves.start + it * waves.period >= from }.map { waves.turn(it) }
         val columns = Array(2) { part -> DoubleArray(turns.size) { turns[it][part] } }
         return BlockAverage.of(columns) { waves.kappa - atan2(it[1], it[0]) / waves.period }
     }
 
-    /** (A² outward − A² inward)/(A² outward + A² inward): 1 for waves that go outward, 0 for standing ones. */
+    /**
+     * (A² outward − A² inward)/(A² outward + A² inward): 1 for waves that go outward, 0 for standing ones. Mean NaN where
+     * [frequency] has none.
+     */
     @JvmStatic
     public fun direction(waves: WaveAmplitudes, from: Double): BlockAverage {
-        val periods = (0 until waves.size).filter { waves.start + it * waves.period >= from }
+        if (!isCoherent(waves, from)) return NONE
+        val periods = averaged(waves, from)
         val columns = arrayOf(
             DoubleArray(periods.size) { waves.outward(periods[it]) },
             DoubleArray(periods.size) { waves.inward(periods[it]) },
         )
         return BlockAverage.of(columns) { (it[0] - it[1]) / (it[0] + it[1]) }
     }
+
+    private val NONE = BlockAverage(Double.NaN, Double.NaN, 0)
+
+    private fun averaged(waves: WaveAmplitudes, from: Double) =
+        (0 until waves.size).filter { waves.start + it * waves.period >= from }
+
+    private fun isCoherent(waves: WaveAmplitudes, from: Double) =
+        waves.coherence(averaged(waves, from)) >= WaveAmplitudes.LEAST_COHERENCE
 }

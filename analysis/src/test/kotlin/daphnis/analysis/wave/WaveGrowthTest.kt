@@ -113,6 +113,34 @@ class WaveGrowthTest {
     }
 
     @Test
+    fun `noise that fills an even start is no growth, though it rises by a factor of e`() {
+        // As the wave of 66.7 radii of the scenario overstability does.
+        val seen = listOf(0.09, 0.11, 0.2, 0.3, 0.48, 0.48, 0.45, 0.4, 0.6, 0.61, 0.58, 0.54)
+        fun filling(before: Int) = MadeWaves.of(40, frequency, { k ->
+            val period = k / MadeWaves.ROWS - before
+            doubleArrayOf(seen.getOrElse(period) { if (it < 0) 0.09 else 0.75 + 0.02 * (it % 3) }, 0.0)
+        })
+        assertFalse(WaveGrowth.of(filling(0))!!.isGrowing)
+        // The same rise is growth where it comes later.
+        assertTrue(WaveGrowth.of(filling(10))!!.isGrowing)
+    }
+
+    @Test
+    fun `a harmonic has a speed, but no growth, no frequency and no direction of epicycles`() {
+        val growing = MadeWaves.growing(0.12, 0.1, 5.0, 0.4)
+        val waves = MadeWaves.of(60, 2.3, growing)
+        assertTrue(waves.coherence(0 until 60) < 0.1)
+        assertEquals(5.0 / Math.sqrt(2.0), waves.rmsSpeed(59), 0.01)
+        assertTrue(waves.coherentSpeed(59) < 1)
+        val growth = WaveGrowth.of(waves)!!
+        assertFalse(growth.isGrowing)
+        assertTrue(growth.frequency.isNaN() && growth.frequencyError.isNaN())
+        assertTrue(WaveAverages.frequency(waves, 0.0).mean.isNaN() && WaveAverages.direction(waves, 0.0).mean.isNaN())
+        val epicyclic = MadeWaves.of(60, frequency, growing)
+        assertTrue(epicyclic.coherence(0 until 60) in 0.9..1.0)
+    }
+
+    @Test
     fun `few periods, few rows and no motion tell nothing`() {
         val growing = MadeWaves.growing(0.1, 0.1, 5.0, 0.0)
         assertNull(WaveGrowth.of(MadeWaves.of(7, frequency, growing)))

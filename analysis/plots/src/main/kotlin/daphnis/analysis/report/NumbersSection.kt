@@ -54,8 +54,14 @@ internal class NumbersSection(private val study: Study, private val others: List
     private fun steadiness(): List<String> {
         val orbit = study.input.omega?.let { 2 * PI / it }
         val unit = if (orbit != null) "orbit" else "unit of time"
-        val text =
-            SteadinessText(study.from, unit, orbit ?: 1.0, FreeCooling.isSeen(study.input), Unsteady.advice(study))
+        val text = SteadinessText(
+            study.from,
+            unit,
+            orbit ?: 1.0,
+            FreeCooling.isSeen(study.input),
+            Unsteady.advice(study),
+            Unsteady.growth(study),
+        )
         return listOfNotNull(if (study.isStartFound) text.found() else null) + text.of(study.judgement.histories)
     }
 

@@ -12,6 +12,7 @@ import kotlin.math.abs
  * @param duration a length of time, by which drifts are given
  * @param isCooling whether it never becomes steady, see [FreeCooling]
  * @param otherwise what to do about a drift of a run that has no steady part
+ * @param growing what to do where something grows in the time averaged; null where nothing does
  */
 internal class SteadinessText(
     private val from: Double,
@@ -19,6 +20,7 @@ internal class SteadinessText(
     private val duration: Double,
     private val isCooling: Boolean = false,
     private val otherwise: String = "a longer run is needed",
+    private val growing: String? = null,
 ) {
     /**
      * One sentence for each of the [histories] that drifts, with what to do about it in the last of those for which that
@@ -81,6 +83,7 @@ internal class SteadinessText(
         val mser = history.steadyFrom()
         return when {
             isCooling -> "nothing replaces the energy that collisions take, so a longer run is not steady either"
+            growing != null -> growing
             mser != null && mser > from -> "by MSER-5 it is steady from time ${time(mser)} on (--from)"
             else -> otherwise
         }

@@ -8,26 +8,27 @@ internal object Unsteady {
     /** Total over thermal dispersion from which the motion is mostly that of waves. */
     private const val WAVES = 1.5
 
-    fun advice(study: Study): String {
-        val moon = study.input.scenario?.forces.orEmpty().any { it is ForceSpec.Satellite && !it.returns }
-        val ratio = study.motion.totalDispersion.mean / study.motion.thermalDispersion.mean
-        return if (moon) advice(true, ratio) else growth(study) ?: advice(false, ratio)
-    }
+    private fun hasMoon(study: Study) =
+        study.input.scenario?.forces.orEmpty().any { it is ForceSpec.Satellite && !it.returns }
 
-    /** Of a ring in which a wave grows in the time averaged; null for others. */
-    private fun growth(study: Study): String? {
-        val waves = study.waves ?: return null
-        val grown = waves.grownAt?.takeIf { it > study.from } ?: return null
-        val growth = waves.growth(waves.first)?.takeIf { it.isGrowing } ?: return null
+    fun advice(study: Study): String =
+        advice(hasMoon(study), study.motion.totalDispersion.mean / study.motion.thermalDispersion.mean)
+
+    /** Of a ring in which a wave grows in the time averaged, which the one is that grows last; null for others. */
+    fun growth(study: Study): String? {
+        val waves = study.waves?.takeIf { !hasMoon(study) } ?: return null
+        val mode = waves.growsLast ?: return null
+        val growth = checkNotNull(waves.growth(mode))
+        val grown = waves.endOf(growth.last).takeIf { it > study.from } ?: return null
         val rate = ReportText.withError(growth.rate * study.scale.time, growth.rateError * study.scale.time)
-        val length = UnitNames.amount(ReportText.short(waves.wavelength(waves.first)), study.units.length)
+        val length = UnitNames.amount(ReportText.short(waves.wavelength(mode)), study.units.length)
         val isToEnd = grown > waves.table.times.last() - waves.period
         val until = if (isToEnd) {
             "to the end of the run: a longer run is needed"
         } else {
             "until time ${study.time(grown)}: averages mean something only from a later time on"
         }
-        return "waves grow, the first of them $length long by a factor e^($rate) per orbit, $until"
+        return "a wave $length long grows by a factor e^($rate) per orbit, $until"
     }
 
     /** Of a ring that a moon passes or not, by the [ratio] of total to thermal dispersion; NaN where it has none. */

@@ -5,9 +5,13 @@ import daphnis.analysis.plot.Curve
 import daphnis.analysis.table.Column
 import daphnis.analysis.table.Table
 import daphnis.analysis.table.UnitNames
+import daphnis.analysis.wave.WaveAmplitudes
 import daphnis.analysis.wave.WaveGrowth
 import daphnis.core.wave.ModeQuantity
+import java.util.Locale
 import kotlin.math.cos
+import kotlin.math.floor
+import kotlin.math.log10
 import kotlin.math.sin
 
 /**
@@ -36,24 +40,27 @@ internal class WaveSection(private val study: Study) : Section {
         val wavelength = waves.wavelength(strongest)
         rows.exact("wave_wavelength", "wavelength of the strongest mode", wavelength, units.length)
         val speed = waves.rms(ModeQuantity.VELOCITY_X, strongest) * (1 / scale.speed)
-        rows.average("wave_speed", "rms v_x of this mode", speed, scale.speedName)
-        rows.average("wave_frequency", "frequency of this mode", waves.frequency(strongest) * (1 / omega), "Ω")
-        val note = "1 outward, 0 standing, −1 inward"
-        rows.average("wave_direction", "direction of this mode", waves.direction(strongest), "", note)
+        rows.average("wave_rms_vx", "rms v_x of this mode", speed, scale.speedName, "of momentum over ⟨Σ⟩")
+        val frequency = waves.frequency(strongest) * (1 / omega)
+        if (!frequency.mean.isNaN()) {
+            rows.average("wave_frequency", "frequency of this mode", frequency, "Ω")
+            val note = "1 outward, 0 standing, −1 inward"
+            rows.average("wave_direction", "direction of this mode", waves.direction(strongest), "", note)
+        }
         val first = waves.wavelength(waves.first)
         rows.exact("wave_first_wavelength", "wavelength of the mode that is strongest first", first, units.length)
         waves.growth(waves.first)?.let {
             val why = if (it.isGrowing) {
-                "ln of its amplitude, ${time(
-                    it.first,
-                )} to ${time(it.last + 1)}"
+                "ln of its amplitude, ${time(it.first)} to ${time(it.last + 1)}; $OTHER_SEEDS"
             } else {
                 NOT_GROWING
             }
             val (rate, error) = it.rate * scale.time to it.rateError * scale.time
             rows.change("wave_growth_rate", "growth rate of that mode", rate, error, scale.rateName, why)
             val (frequency, its) = it.frequency / omega to it.frequencyError / omega
-            rows.change("wave_growth_frequency", "frequency of that mode in this time", frequency, its, "Ω")
+            if (!frequency.isNaN()) {
+                rows.change("wave_growth_frequency", "frequency of that mode in this time", frequency, its, "Ω")
+            }
         }
         return rows.list()
     }
@@ -75,18 +82,31 @@ internal class WaveSection(private val study: Study) : Section {
     private fun speeds(page: ReportPage, waves: Waves) {
         val time = times(waves)
         val shown = waves.modes.take(MOST_CURVES)
-        val speeds = waves.modes.map { m -> DoubleArray(waves.periods) { waves.amplitude(m).speed(it) / scale.speed } }
-        val curves = shown.map { Curve("λ = ${ReportText.short(waves.wavelength(it))}", time, speeds[it - 1]) }
+        fun series(value: (WaveAmplitudes, Int) -> Double) = waves.modes.map { m ->
+            DoubleArray(waves.periods) { value(waves.amplitude(m), it) / scale.speed }
+        }
+        val speeds = series(WaveAmplitudes::rmsSpeed)
+        val coherent = series(WaveAmplitudes::coherentSpeed)
+        // Of all lengths as many decimals as give the shortest three digits.
+        val decimals = maxOf(0, 2 - floor(log10(waves.wavelength(shown.last()))).toInt())
+        val curves = shown.map {
+            val length = String.format(Locale.ROOT, "%.${decimals}f", waves.wavelength(it))
+            Curve("λ = ${UnitNames.amount(length, units.length)}", time, speeds[it - 1])
+        }
         val figure = Chart.lines(
             curves,
             UnitNames.axis("time", scale.timeName),
-            UnitNames.axis("rms v_x of a mode", scale.speedName),
+            UnitNames.axis("rms radial velocity", scale.speedName),
             logY = true,
             vertical = study.from / scale.time,
         )
-        val caption = "Root mean square of v_x in each mode by epicyclic period; averages begin at the dashed line."
+        val caption =
+            "Root mean square of v_x in each mode by epicyclic period: of the momentum density over the mean " +
+                "surface density, which in steep waves is more than v_x. Averages begin at the dashed line. " +
+                "wave-history.csv also has that part which turns as epicycles do, from which growth is found."
         study.draw(page, figure, "wave-speeds", "strength of each mode over time", caption)
-        val columns = waves.modes.map { Column("speed_$it", scale.speedName, speeds[it - 1]) }
+        val columns = waves.modes.map { Column("rms_vx_$it", scale.speedName, speeds[it - 1]) } +
+            waves.modes.map { Column("coherent_vx_$it", scale.speedName, coherent[it - 1]) }
         val strongest = DoubleArray(waves.periods) { waves.wavelength(waves.strongest(it)) }
         val all = listOf(Column("time", scale.timeName, time), Column("strongest_wavelength", units.length, strongest))
         Table("wave-history", all + columns).write(study.tables)
@@ -120,8 +140,9 @@ internal class WaveSection(private val study: Study) : Section {
         val stride = (rows.size + MOST_TIMES - 1) / MOST_TIMES
         val shown = rows.filterIndexed { k, _ -> k % stride == 0 }
         val box = study.last.boundary.box
-        val x = DoubleArray(PLACES) { box.lowerX + (it + 0.5) * box.length(0) / PLACES }
-        val values = DoubleArray(PLACES * shown.size)
+        val places = maxOf(PLACES, PLACES_PER_WAVE * table.modes)
+        val x = DoubleArray(places) { box.lowerX + (it + 0.5) * box.length(0) / places }
+        val values = DoubleArray(places * shown.size)
         for (m in waves.modes) {
             val re = table.real(ModeQuantity.DENSITY, m)
             val im = table.imaginary(ModeQuantity.DENSITY, m)
@@ -172,8 +193,8 @@ internal class WaveSection(private val study: Study) : Section {
             listOf(
                 column("mode", "") { it.toDouble() },
                 column("wavelength", units.length) { waves.wavelength(it) },
-                column("speed", scale.speedName) { speeds[it - 1].mean },
-                column("speed_error", scale.speedName) { error(speeds[it - 1]) },
+                column("rms_vx", scale.speedName) { speeds[it - 1].mean },
+                column("rms_vx_error", scale.speedName) { error(speeds[it - 1]) },
                 column("density", "") { densities[it - 1].mean },
                 column("density_error", "") { error(densities[it - 1]) },
                 column("frequency", "Ω") { frequencies[it - 1].mean },
@@ -206,7 +227,7 @@ internal class WaveSection(private val study: Study) : Section {
             Column("to", scale.timeName, DoubleArray(count) { begin(it + 1) / scale.time }),
         )
         val speeds = waves.modes.map {
-            Column("vx_$it", scale.speedName, rms(ModeQuantity.VELOCITY_X, it, scale.speed))
+            Column("rms_vx_$it", scale.speedName, rms(ModeQuantity.VELOCITY_X, it, scale.speed))
         }
         val densities = waves.modes.map { Column("density_$it", "", rms(ModeQuantity.DENSITY, it, 1.0)) }
         Table("wave-blocks", places + speeds + densities).write(study.tables)
@@ -217,9 +238,11 @@ internal class WaveSection(private val study: Study) : Section {
         const val SHOWN_PERIODS = 8
         const val MOST_TIMES = 160
         const val PLACES = 40
+        const val PLACES_PER_WAVE = 4
         const val MAP_HEIGHT = 360
         const val BLOCK = 5
         const val ROUNDING = 1e-6
+        const val OTHER_SEEDS = "runs with other seeds scatter up to twice as much as ± says"
         const val NOT_GROWING = "over the whole run: no time of growth is seen"
     }
 }

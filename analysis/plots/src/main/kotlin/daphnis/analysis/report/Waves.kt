@@ -45,13 +45,14 @@ internal class Waves private constructor(
         frequency(strongest).mean.let { if (it > 0) 2 * PI / it else period }
     }
 
-    /** When the waves stopped to grow out of the noise: the last end of growth of any mode; null where none grew. */
-    val grownAt: Double? by lazy {
-        modes.mapNotNull { growth(it) }.filter { it.isGrowing }.maxOfOrNull {
-            table.times.first() +
-                period * (it.last + 1)
-        }
+    /** The mode that grows last, of several to the end of the run the strongest there; null where none grows. */
+    val growsLast: Int? by lazy {
+        val growing = modes.filter { growth(it)?.isGrowing == true }
+        growing.maxWithOrNull(compareBy({ growth(it)!!.last }, { amplitude(it).rmsSpeed(periods - 1) }))
     }
+
+    /** The end of period [k]. */
+    fun endOf(k: Int): Double = table.times.first() + period * (k + 1)
 
     /** Mean square over the box of mode [m] of [quantity], by row: half the square of its amplitude. */
     fun square(quantity: ModeQuantity, m: Int): DoubleArray {
@@ -80,20 +81,20 @@ internal class Waves private constructor(
     }
 
     /** The strongest mode in period [k]. */
-    fun strongest(k: Int): Int = modes.maxBy { amplitude(it).speed(k) }
+    fun strongest(k: Int): Int = modes.maxBy { amplitude(it).rmsSpeed(k) }
 
     /**
      * The strongest mode before all modes together come to a tenth of the most that they have, of those that grow where
      * there are any: noise may be stronger in others.
      */
     val first: Int by lazy {
-        val power = DoubleArray(periods) { k -> modes.sumOf { m -> amplitude(m).speed(k).let { it * it } } }
+        val power = DoubleArray(periods) { k -> modes.sumOf { m -> amplitude(m).rmsSpeed(k).let { it * it } } }
         val end = maxOf(1, power.indexOfFirst { it > power.max() * EARLY })
         strongestOf((0 until end).toList(), modes.filter { growth(it)?.isGrowing == true }.ifEmpty { modes })
     }
 
     private fun strongestOf(all: List<Int>, among: Iterable<Int> = modes) = among.maxBy { m ->
-        all.sumOf { k -> amplitude(m).speed(k).let { it * it } }
+        all.sumOf { k -> amplitude(m).rmsSpeed(k).let { it * it } }
     }
 
     companion object {

@@ -55,7 +55,7 @@ internal object NumberKeys {
     val DIFFUSION = listOf("self_diffusion", "self_diffusion_x", "self_diffusion_y", "self_diffusion_z")
     val WAVES = listOf(
         "wave_wavelength",
-        "wave_speed",
+        "wave_rms_vx",
         "wave_frequency",
         "wave_direction",
         "wave_first_wavelength",

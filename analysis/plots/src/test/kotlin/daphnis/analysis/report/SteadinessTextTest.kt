@@ -67,6 +67,13 @@ class SteadinessTextTest {
     }
 
     @Test
+    fun `where a wave grows that is said, not a later time`() {
+        val falls = history("scale height") { k -> if (k < 200) 2 - k / 200.0 else 1.0 }
+        val said = SteadinessText(20.0, "orbit", 10.0, growing = "a wave grows").of(listOf(falls)).single()
+        assertTrue(said.endsWith("; a wave grows.")) { said }
+    }
+
+    @Test
     fun `a gas that cools for ever is not told to run longer, nor to look later`() {
         val falls = history("temperature") { k -> if (k < 200) 2 - k / 200.0 else 1.0 }
         for (one in listOf(falls, history("temperature") { k -> 2 - k / 400.0 })) {

@@ -81,6 +81,42 @@ class WaveReportTest {
         assertEquals(expected, blocks[2].split(',')[3].toDouble(), 0.03 * expected)
     }
 
+    private fun column(path: Path, table: String, name: String): List<Double> {
+        val lines = Files.readAllLines(path.resolve("tables/$table.csv")).map { it.split(',') }
+        val k = lines[0].indexOfFirst { it.substringBefore(" [") == name }
+        return lines.drop(1).map { it[k].ifEmpty { "NaN" }.toDouble() }
+    }
+
+    @Test
+    fun `a harmonic keeps its rms in table and plot, and has no frequency`() {
+        val path = run("untilOrbits=12", "output.modes=12", "particles.opticalDepth=0.2")
+        put(path, 2, 1.12) { 0.1 }
+        put(path, 3, 2.3) { 3.0 }
+        report(path)
+        val rms = 3 / Math.sqrt(2.0)
+        assertEquals(rms, column(path, "waves", "rms_vx")[2], 1e-9)
+        column(path, "wave-history", "rms_vx_3").forEach { assertEquals(rms, it, 0.03 * rms) }
+        assertTrue(column(path, "wave-history", "coherent_vx_3").all { it < 0.5 })
+        assertTrue(column(path, "waves", "frequency")[2].isNaN() && column(path, "waves", "direction")[2].isNaN())
+        assertEquals(1.12, column(path, "waves", "frequency")[1], 1e-5)
+        assertEquals(30.0, number(path, "wave_wavelength")[1].toDouble(), 1e-9)
+        assertFalse("wave_frequency" in NumberKeys.of(path))
+        // Four places in the shortest of 12 waves.
+        assertEquals(48, column(path, "wave-density", "x").distinct().size)
+    }
+
+    @Test
+    fun `of waves that grow the last one is named`() {
+        val path = run("untilOrbits=40", "particles.opticalDepth=0.2")
+        put(path, 2, 1.12) { minOf(5.0, 0.1 * Math.exp(0.3 * it)) }
+        put(path, 1, 1.05) { 0.1 * Math.exp(0.1 * it) }
+        report(path)
+        val input = AnalysisInput.ofRun(path, acceptLoss = true)
+        val waves = checkNotNull(Waves.of(input, 100.0))
+        assertEquals(2, waves.first)
+        assertEquals(1, waves.growsLast)
+    }
+
     @Test
     fun `too few rows and damage are said, and without modes there is no word of them`() {
         val seldom = run("untilOrbits=4", "output.modesEvery=60")

@@ -68,7 +68,7 @@ class WaveSteadinessTest {
         val html = Files.readString(home.resolve("report.html"))
         val said =
             Regex(
-                "waves grow, the first of them 100 units of length long by a factor e\\^\\(0\\.(?:09|1)[^)]*\\) per orbit, to the end",
+                "a wave 100 units of length long grows by a factor e\\^\\(0\\.(?:09|1)[^)]*\\) per orbit, to the end",
             )
         assertTrue(said.containsMatchIn(html)) { html.substringAfter("Not steady").take(600) }
     }
