@@ -8,6 +8,7 @@ import daphnis.analysis.plot.Curve
 import daphnis.analysis.table.Column
 import daphnis.analysis.table.Table
 import daphnis.analysis.table.UnitNames
+import java.util.Locale
 
 /** The ring around the moonlet [body]: surface density in axes that move with it, and the gaps of its propeller. */
 internal class PropellerPart(private val study: Study, private val body: Moonlet) : Part {
@@ -24,7 +25,7 @@ internal class PropellerPart(private val study: Study, private val body: Moonlet
     }
 
     /** To a tenth, without a zero behind it. */
-    private fun plain(value: Double) = ReportText.short(Math.rint(10 * value) / 10).removeSuffix(".0")
+    private fun plain(value: Double) = String.format(Locale.ROOT, "%.1f", value).removeSuffix(".0")
 
     /** Cells of a particle's diameter or more, and of a fifth of a Hill radius where there is one; an odd number. */
     private fun cells(axis: Int): Int {

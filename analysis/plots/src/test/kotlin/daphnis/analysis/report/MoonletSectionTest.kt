@@ -39,6 +39,7 @@ class MoonletSectionTest {
             assertTrue(Files.size(path.resolve("plots/$plot.svg")) > 1000) { plot }
         }
         assertTrue("A·e of moonlets" !in html && "a·e of moonlets over the whole run" in html)
+        assertTrue(Regex("The same 2 to [0-9](\\.[1-9])? Hill radii").containsMatchIn(html))
         // The scale ends where nothing is left.
         val map = Files.readString(path.resolve("plots/moonlet.svg"))
         assertTrue(">−1.0<" in map || ">−1<" in map) { map.takeLast(1000) }
