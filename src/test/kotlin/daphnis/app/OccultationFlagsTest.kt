@@ -46,7 +46,7 @@ class OccultationFlagsTest {
             assertTrue(Files.exists(home.resolve("ring/tables/occultation-$table.csv"))) { table }
         }
         assertDone(analyze("--footprint=5"))
-        assertTrue("disc of diameter 5.0" in Files.readString(home.resolve("ring/report.html")))
+        assertTrue("a disc of diameter 5 m" in Files.readString(home.resolve("ring/report.html")))
     }
 
     @Test
@@ -56,7 +56,7 @@ class OccultationFlagsTest {
             listOf("--footprint=0") to "daphnis: --footprint: is 0; it must be a length > 0, or two such as 20x10",
             listOf("--footprint=3x4x5") to "--footprint: is 3x4x5",
             listOf("--footprint=wide") to "--footprint: is wide",
-            listOf("--footprint=41") to "--footprint: is a disc of diameter 41.0: it must fit into the patch",
+            listOf("--footprint=41") to "--footprint: is a disc of diameter 41 m: it must fit into the patch",
             listOf("--photons=10") to "--photons: is 10.0; it must be given with --footprint",
             listOf("--scan-path=10") to "--scan-path: is 10.0; it must be given with --footprint",
             listOf("--footprint=5", "--scan-path=361") to "--scan-path: is 361.0; it must be in -360..360 degrees",

@@ -39,7 +39,7 @@ internal class CostRows(private val setup: ScenarioSetup, private val say: Quant
         rows.add("memory", "${bytes(size * each)} of the heap of Java, ${bytes(each)} per sphere")
         rows.add(
             "run time",
-            "${took(steps * size * secondsPerSphereAndStep())} on one core, within a factor of three or so",
+            "${took(steps * size * secondsPerSphereAndStep())} on one core, roughly; several times that in a dense ring",
         )
         val count = when {
             exact -> ""
@@ -153,7 +153,7 @@ internal class CostRows(private val setup: ScenarioSetup, private val say: Quant
         const val CHECKPOINT_BYTES = 76.0
 
         const val STEP_SECONDS = 0.25e-6
-        const val WALK_SECONDS = 0.05e-6
+        const val WALK_SECONDS = 0.3e-6
         const val PAIR_SECONDS = 5e-9
         const val MESH_SECONDS = 1.5e-6
         const val WAVES_SECONDS = 0.04e-6

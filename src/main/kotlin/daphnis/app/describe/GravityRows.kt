@@ -86,9 +86,8 @@ internal class GravityRows(private val setup: ScenarioSetup, private val say: Qu
 
     /** After how long a moon passes again, and how many of its wakes go round the planet until then. */
     private fun returns(moon: ForceSpec.Satellite, orbits: OrbitalFrequencies): String? {
-        val distance = FrameSetup.distance(scenario, orbits)
-        if (!moon.returns || distance == null || moon.x == 0.0) return null
-        val period = distance / (orbits.shearFactor * Math.abs(moon.x))
+        if (!moon.returns) return null
+        val period = FrameSetup.orbitsBetweenPassages(scenario, orbits, moon) ?: return null
         return "returns every ${number(period)} orbits, ${number(period * orbits.radialFactor)} epicycles"
     }
 

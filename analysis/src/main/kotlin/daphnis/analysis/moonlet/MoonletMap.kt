@@ -89,28 +89,48 @@ public class MoonletMap(
     /**
      * The two gaps of a propeller in [wake], each between the body's orbit and [reach]: the mean distance
      * of its cells weighted by the third power of what is missing there, which leaves out the noise of the others
-     * without an edge. Null where on one side less than a tenth of the ring is missing in every cell.
+     * without an edge. Null where on one side less than a tenth of the ring is missing in every cell. What lies between
+     * them tells a propeller from a lane ([Propeller.isLane]): the cells within an eighth of their distance from the
+     * body's orbit, beside those within as much of each centre.
      *
      * The error is that of the jackknife over up to [BLOCKS] blocks of consecutive states; NaN for fewer than four.
      */
     public fun gaps(near: Double, far: Double, reach: Double): Propeller? {
         if (groups.isEmpty()) return null
-        val whole = gaps(wake(excess(), near, far), reach) ?: return null
+        val wake = wake(excess(), near, far)
+        val whole = gaps(wake, reach) ?: return null
         val blocks = minOf(BLOCKS, groups.size)
-        val errors = DoubleArray(2) { Double.NaN }
-        if (blocks >= FEWEST) {
-            val without = (0 until blocks).mapNotNull { b ->
-                val rest = groups.filterIndexed { k, _ -> k * blocks / groups.size != b }
-                gaps(wake(excess(rest), near, far), reach)
-            }
-            for (which in 0..1) {
-                val values = without.map { it[which] }
-                val mean = values.average()
-                val n = values.size
-                if (n == blocks) errors[which] = sqrt((n - 1.0) / n * values.sumOf { (it - mean) * (it - mean) })
+        val without = if (blocks < FEWEST) {
+            emptyList()
+        } else {
+            List(blocks) { b ->
+                wake(excess(groups.filterIndexed { k, _ -> k * blocks / groups.size != b }), near, far)
             }
         }
-        return Propeller(whole[0], errors[0], whole[1], errors[1])
+        val found = without.mapNotNull { gaps(it, reach) }
+        val errors = List(2) { which -> if (found.size < blocks) Double.NaN else jackknife(found.map { it[which] }) }
+        val isLane = listOf(-1, 1).any { side ->
+            val error = if (without.isEmpty()) 0.0 else jackknife(without.map { rise(it, whole[0], side) })
+            !(rise(wake, whole[0], side) > error)
+        }
+        return Propeller(whole[0], errors[0], whole[1], errors[1], isLane)
+    }
+
+    /** Standard error of what has these [values] without each block. */
+    private fun jackknife(values: List<Double>): Double {
+        val mean = values.average()
+        return sqrt((values.size - 1.0) / values.size * values.sumOf { (it - mean) * (it - mean) })
+    }
+
+    /** By how much [wake] is larger near the body's orbit than in the gap at one [side], half of [separation] away. */
+    private fun rise(wake: DoubleArray, separation: Double, side: Int): Double {
+        fun around(place: Double): Double {
+            // Of the cell in the middle half lies upstream.
+            val cells = (0 until nx).filter { it != nx / 2 }
+            val reach = maxOf(separation / 8, cells.minOf { abs(x(it) - place) })
+            return cells.filter { abs(x(it) - place) <= reach }.map { wake[it] }.average()
+        }
+        return around(0.0) - around(side * separation / 2)
     }
 
     /** Distance of the two gaps, and their mean depth. */
@@ -143,10 +163,13 @@ public class MoonletMap(
  * @property separationError one standard error; NaN when not known
  * @property depth part of the surface density that is missing in them, weighted as the centres are
  * @property depthError likewise
+ * @property isLane whether they are one trough around the body's orbit: the surface density between them does not stand
+ *   above that in both of them by more than the error of the difference
  */
 public class Propeller internal constructor(
     public val separation: Double,
     public val separationError: Double,
     public val depth: Double,
     public val depthError: Double,
+    public val isLane: Boolean,
 )

@@ -11,6 +11,7 @@ import java.nio.file.Path
  * What was observed of a ring along several [lines] of sight: normal optical depths, or transmissions.
  *
  * @property values by line, each with its standard error in [errors]
+ * @property remarks a sentence for each transmission below 0 or above 1, which noise makes, with its line in the file
  * @property areDepths whether they are normal optical depths −sin B · ln T
  */
 public class ObservedDepths private constructor(
@@ -18,10 +19,14 @@ public class ObservedDepths private constructor(
     public val values: DoubleArray,
     public val errors: DoubleArray,
     public val areDepths: Boolean,
+    public val remarks: List<String>,
 ) {
     public companion object {
         /** Rows of a table, at most. */
         public const val MOST: Int = 1000
+
+        /** By how many of its errors a transmission may lie beyond 0 and 1. */
+        public const val MOST_ERRORS: Double = 5.0
 
         /**
          * Reads a CSV file with the columns `elevation` and `azimuth` in degrees, either `optical_depth` or
@@ -29,7 +34,7 @@ public class ObservedDepths private constructor(
          * and so are empty lines and those that begin with `#`. The azimuth is that of [LineOfSight].
          *
          * @throws FormatException naming file and line when it cannot be read, a column is missing, a value is no
-         * number or out of range, or there is no row or too many
+         * number or out of range, a transmission is more than [MOST_ERRORS] of its errors below 0 or above 1, or there is no row or too many
          */
         @JvmStatic
         public fun read(path: Path): ObservedDepths {
@@ -69,6 +74,7 @@ public class ObservedDepths private constructor(
             if (rows.size > MOST) throw FormatException("$path: ${rows.size} rows; at most $MOST are compared")
             val values = DoubleArray(rows.size)
             val errors = DoubleArray(rows.size)
+            val remarks = ArrayList<String>()
             val lines = rows.mapIndexed { k, (index, line) ->
                 val cells = line.split(',')
                 if (cells.size != names.size) {
@@ -84,12 +90,17 @@ public class ObservedDepths private constructor(
                 }
                 values[k] = number(value, "a finite number") { it.isFinite() }
                 errors[k] = number(ERROR, "finite and > 0") { it > 0 && it.isFinite() }
+                val beyond = if (areDepths) 0.0 else maxOf(-values[k], values[k] - 1)
+                if (beyond > 0) {
+                    number(value, "in [0, 1] within five of its errors") { beyond <= MOST_ERRORS * errors[k] }
+                    remarks += "Line ${index + 1} of the file has the $value ${values[k]}, which is not in 0 to 1."
+                }
                 LineOfSight.degrees(
                     number(ELEVATION, "in (0, 90] degrees") { it > 0 && it <= 90 },
                     number(AZIMUTH, "in -360..360 degrees") { it >= -360 && it <= 360 },
                 )
             }
-            return ObservedDepths(lines, values, errors, areDepths)
+            return ObservedDepths(lines, values, errors, areDepths, remarks)
         }
     }
 }

@@ -18,6 +18,8 @@ import kotlin.math.sqrt
  * @property misfit root mean square of what is left, as a share of all light
  * @property isSeen whether the light depends on the azimuth by more than chance makes it: the second harmonic, summed
  *   over elevations, is four of its errors away from 0. If not, the bars of the model mean nothing
+ * @property isNegligible whether the bars, seen from above, cover less than [LEAST_SHARE] of the plane: then they are a
+ *   weak dependence on the azimuth in the shape of bars, and their numbers mean nothing either
  */
 public class WakeFit private constructor(
     public val model: WakeModel,
@@ -28,7 +30,12 @@ public class WakeFit private constructor(
     public val misfit: Double,
     public val isSeen: Boolean,
 ) {
+    public val isNegligible: Boolean get() = model.barShare < LEAST_SHARE
+
     public companion object {
+        /** 1/(1 + S/W) of the fewest bars that are taken for wakes. */
+        public const val LEAST_SHARE: Double = 0.03
+
         /**
          * Of [transmissions], for each of [lines] a series over the states in order of time.
          *

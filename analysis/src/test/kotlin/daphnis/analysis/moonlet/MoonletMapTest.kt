@@ -17,10 +17,10 @@ class MoonletMapTest {
     private val sheet = HillSheet(Box.centred(40.0, 100.0, 4.0), 1.0)
 
     /**
-     * A body anywhere, and a ring with two gaps of Gaussian shape, 3 to either side and 1 wide, of 0.8 of the surface
+     * A body anywhere, and a ring with two gaps of Gaussian shape, [at] to either side and 1 wide, of 0.8 of the surface
      * density: behind the body outside, ahead inside. Where images slide, the nearest one of the body counts.
      */
-    private fun state(random: Random, time: Double, depth: Double = 0.8): State {
+    private fun state(random: Random, time: Double, depth: Double, at: Double): State {
         val bodyX = 40 * (random.nextDouble() - 0.5)
         val bodyY = 100 * (random.nextDouble() - 0.5)
         val x = ArrayList<Double>()
@@ -30,7 +30,7 @@ class MoonletMapTest {
             val dx = 40 * (random.nextDouble() - 0.5)
             val dy = 100 * (random.nextDouble() - 0.5)
             val isDownstream = dx * dy < 0
-            if (isDownstream && random.nextDouble() < depth * exp(-(abs(dx) - 3) * (abs(dx) - 3) / 2)) continue
+            if (isDownstream && random.nextDouble() < depth * exp(-(abs(dx) - at) * (abs(dx) - at) / 2)) continue
             // Back into the box, as a boundary does.
             val boxes = Math.rint((bodyX + dx) / 40)
             val inX = bodyX + dx - boxes * 40
@@ -55,10 +55,10 @@ class MoonletMapTest {
         return State(p, sheet, time, 1.0, n - 1)
     }
 
-    private fun map(seed: Long, states: Int, depth: Double = 0.8): MoonletMap {
+    private fun map(seed: Long, states: Int, depth: Double = 0.8, at: Double = 3.0): MoonletMap {
         val random = Random(seed)
         return MoonletMap(4000, 41, 21, 40.0, 100.0).also { map ->
-            repeat(states) { map.add(state(random, 0.37 * it, depth)) }
+            repeat(states) { map.add(state(random, 0.37 * it, depth, at)) }
         }
     }
 
@@ -66,6 +66,7 @@ class MoonletMapTest {
     fun `gaps are found where they were made, and errors cover that in 60 to 80 of 100 maps`() {
         val found = List(60) { map(it.toLong(), 16).gaps(5.0, 45.0, 8.0)!! }
         assertEquals(6.0, found.map { it.separation }.average(), 0.03)
+        assertTrue(found.none { it.isLane })
         val separations = found.count { abs(it.separation - 6) < it.separationError }
         assertTrue(separations in 36..48) { "$separations of 60" }
         // The deepest is 0.8 of what is there without gaps; all of a gap, and against the mean, it is less.
@@ -73,6 +74,14 @@ class MoonletMapTest {
         assertEquals(0.65, depth, 0.1)
         val depths = found.count { abs(it.depth - depth) < it.depthError }
         assertTrue(depths in 36..48) { "$depths of 60" }
+    }
+
+    @Test
+    fun `a trough around the orbit of the body is a lane, and no propeller`() {
+        val found = List(20) { map(it.toLong(), 16, at = 0.0).gaps(5.0, 45.0, 8.0)!! }
+        assertTrue(found.all { it.isLane }) { "${found.count { it.isLane }} of 20" }
+        // Of three states too: there is no error, but the middle is the deepest place.
+        assertTrue(map(1, 3, at = 0.0).gaps(5.0, 45.0, 8.0)!!.isLane)
     }
 
     @Test
@@ -95,6 +104,6 @@ class MoonletMapTest {
         val upstream = (0 until 21).filter { map.y(it) in 5.0..45.0 }.map { excess[23 * 21 + it] }.average()
         assertTrue(upstream > -0.2) { "$upstream" }
         val few = map(5, 3).gaps(5.0, 45.0, 8.0)!!
-        assertTrue(few.separationError.isNaN() && few.depthError.isNaN())
+        assertTrue(few.separationError.isNaN() && few.depthError.isNaN() && !few.isLane)
     }
 }

@@ -40,6 +40,27 @@ class ObservedDepthsTest {
     }
 
     @Test
+    fun `transmissions that noise carried beyond 0 and 1 are remarked with their lines, farther ones refused`() {
+        val head = "elevation,azimuth,transmission,error\n"
+        val table = ObservedDepths.read(file("# B\n${head}20,0,1.2,0.1\n20,0,1,0.1\n20,0,-0.01,0.1\n20,0,0,0.1\n"))
+        assertEquals(
+            listOf(
+                "Line 3 of the file has the transmission 1.2, which is not in 0 to 1.",
+                "Line 5 of the file has the transmission -0.01, which is not in 0 to 1.",
+            ),
+            table.remarks,
+        )
+        assertEquals(1.2, table.values[0])
+        val depth = "elevation,azimuth,optical_depth,error\n"
+        assertEquals(emptyList<String>(), ObservedDepths.read(file(depth + "20,0,1.2,0.1\n")).remarks)
+        for (row in listOf("20,0,1.6,0.1", "20,0,-0.6,0.1")) {
+            val path = file(head + row)
+            val said = assertThrows(FormatException::class.java) { ObservedDepths.read(path) }.message!!
+            assertTrue(said.startsWith("$path:2: transmission is '${row.split(',')[2]}'; it must be in [0, 1]")) { said }
+        }
+    }
+
+    @Test
     fun `each fault of a file is one line, which names the file and the line of it`() {
         val head = "elevation,azimuth,optical_depth,error\n"
         for ((text, words) in listOf(

@@ -138,6 +138,20 @@ class WakeFitTest {
     }
 
     @Test
+    fun `bars that cover next to nothing are negligible, however well they are seen`() {
+        for ((share, isNegligible) in listOf(0.01 to true, 0.025 to true, 0.035 to false, 0.07 to false)) {
+            val model = WakeModel(0.5, share, 2.0, -0.6)
+            val random = SeededRandom(3)
+            val series = Array(lines.size) { k ->
+                DoubleArray(20) { model.transmission(lines[k]) + 1e-4 * random.nextGaussian() }
+            }
+            val fit = WakeFit.of(lines, series)!!
+            assertTrue(fit.isSeen) { "$share" }
+            assertEquals(isNegligible, fit.isNegligible) { "$share ${fit.gapOverWidth}" }
+        }
+    }
+
+    @Test
     fun `without bars none are seen, and lines that cannot tell give no fit`() {
         val random = SeededRandom(2)
         var seen = 0

@@ -115,7 +115,7 @@ internal object Chart {
 
     /**
      * Coloured cells around zero, to scale unless the axes measure different things; [values] at `i · ny + j` for the cell i along the vertical axis, j along
-     * the horizontal one.
+     * the horizontal one. The scale ends at the largest of them, or at [most], whose colour larger ones have.
      */
     fun map(
         vertical: DoubleArray,
@@ -125,11 +125,12 @@ internal object Chart {
         yLabel: String,
         name: String,
         isToScale: Boolean = true,
+        most: Double? = null,
     ): Figure {
         // Zero in the middle of the scale: as much colour above as below.
-        val most = values.filter { it.isFinite() }.maxOfOrNull { abs(it) }?.takeIf { it > 0 } ?: 1.0
+        val end = most ?: values.filter { it.isFinite() }.maxOfOrNull { abs(it) }?.takeIf { it > 0 } ?: 1.0
         val field = PlotField(xLabel, yLabel, horizontal.asList(), vertical.asList(), isFixed = isToScale)
-        return MapChart(field, horizontal, vertical, values, name, most)
+        return MapChart(field, horizontal, vertical, values, name, end)
     }
 
     /** The closed curves given, on equal axes. */

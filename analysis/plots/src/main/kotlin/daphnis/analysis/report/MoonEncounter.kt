@@ -35,7 +35,8 @@ internal object MoonEncounter {
         return if (distance == 0.0) null else Encounter(distance, ratio, frameAxis + moon.x, moon.e, orbits)
     }
 
-    fun rows(e: Encounter, box: Box, units: UnitNames): List<NumberRow> {
+    /** @param period orbits between two passages, of the run; null where it is not known */
+    fun rows(e: Encounter, box: Box, units: UnitNames, period: Double?): List<NumberRow> {
         val rows = ArrayList<NumberRow>()
         val moonX = (box.lowerX + box.upperX) / 2 - e.distance
         val swings = "${ReportText.short(e.moonE)} ${units.length}"
@@ -48,7 +49,7 @@ internal object MoonEncounter {
         )
         rows.number(if (e.isKeplerian) "wavelength 3π|Δa|" else "wavelength 2π (s/κ) |Δa|", e.wavelength, units.length)
         amplitudes(rows, e, units)
-        rows.number("time between passages", e.synodicOrbits, "orbits")
+        period?.let { rows.number("time between passages", it, "orbits") }
         val resonances = e.resonances(box.lowerX - moonX, box.upperX - moonX).size.toDouble()
         rows.number("resonances (m+1):m in the patch", resonances, "")
         return rows

@@ -55,7 +55,7 @@ internal class MoonPart private constructor(
             "Forced eccentricity |⟨e·exp(iφ)⟩| along the ring; dashed: the impulse of one passage of a moon on " +
                 "a circle, 2.2396 μ a³/Δa², for the middle of the patch."
         study.draw(page, figure, "forced-eccentricity", "forced eccentricity along the ring", caption)
-        page.numbers(MoonEncounter.rows(e, last.boundary.box, units))
+        page.numbers(MoonEncounter.rows(e, last.boundary.box, units, period(moon)))
         if (moon.inclination > 0) {
             val swing = "${ReportText.short(moon.inclination)} ${units.length}"
             page.paragraph("The satellite leaves the plane by up to $swing; amplitudes are those of one in the plane.")
@@ -63,9 +63,12 @@ internal class MoonPart private constructor(
         others.forEachIndexed { k, moon ->
             page.paragraph("Satellite ${k + 2}, whose passages are in the same picture:")
             val encounter = MoonEncounter.of(study.input.scenario, orbits, last.boundary.box, moon)
-            encounter?.let { page.numbers(MoonEncounter.rows(it, last.boundary.box, units)) }
+            encounter?.let { page.numbers(MoonEncounter.rows(it, last.boundary.box, units, period(moon))) }
         }
     }
+
+    private fun period(moon: ForceSpec.Satellite) =
+        study.input.scenario?.let { FrameSetup.orbitsBetweenPassages(it, orbits, moon) }
 
     companion object {
         /** Of the first satellite of the scenario; null without one, or without Hill's frame. */

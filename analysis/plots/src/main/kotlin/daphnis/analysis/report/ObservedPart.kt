@@ -7,6 +7,8 @@ import daphnis.analysis.occultation.ObservedDepths
 import daphnis.analysis.occultation.Transmissions
 import daphnis.analysis.plot.Chart
 import daphnis.analysis.plot.Curve
+import daphnis.analysis.plot.NamedMarks
+import daphnis.analysis.plot.Ticks
 import daphnis.analysis.table.Column
 import daphnis.analysis.table.Table
 
@@ -31,6 +33,11 @@ internal class ObservedPart(private val study: Study, private val observed: Obse
 
     override fun write(page: ReportPage) {
         page.numbers(rows())
+        val remarks = observed.remarks
+        if (remarks.isNotEmpty()) {
+            val more = remarks.size - MOST_REMARKS
+            page.paragraph(remarks.take(MOST_REMARKS).joinToString(" ") + if (more > 0) " So have $more more." else "")
+        }
         val n = observed.lines.size
         val seen = DoubleArray(n) { comparison.seen[it].mean }
         val seenErrors = study.judgement.errors(DoubleArray(n) { comparison.seen[it].error })
@@ -38,8 +45,9 @@ internal class ObservedPart(private val study: Study, private val observed: Obse
         val index = DoubleArray(n) { (it + 1).toDouble() }
         val figure = Chart.lines(
             listOf(Curve("observed", index, observed.values, observed.errors), Curve("patch", index, seen, seenErrors)),
-            "row of the table",
+            "elevation and azimuth of the row [degrees]",
             what,
+            marks = rowMarks(),
             joined = false,
         )
         val caption =
@@ -59,5 +67,20 @@ internal class ObservedPart(private val study: Study, private val observed: Obse
                 Column("residual_over_error", "", DoubleArray(n) { comparison.residuals[it] / comparison.errors[it] }),
             ),
         ).write(study.tables)
+    }
+
+    /** Some of the rows, by their line of sight. */
+    private fun rowMarks(): NamedMarks {
+        val n = observed.lines.size
+        val shown = (0 until n step (n + MOST_NAMES - 1) / MOST_NAMES).toList()
+        fun degrees(angle: Double) = ReportText.short(Math.toDegrees(angle))
+        val names = shown.map { "${degrees(observed.lines[it].elevation)}, ${degrees(observed.lines[it].azimuth)}" }
+        return NamedMarks(Ticks(shown.map { it + 1.0 }, names), 1 - BESIDE, n + BESIDE)
+    }
+
+    private companion object {
+        const val MOST_REMARKS = 5
+        const val MOST_NAMES = 8
+        const val BESIDE = 0.4
     }
 }

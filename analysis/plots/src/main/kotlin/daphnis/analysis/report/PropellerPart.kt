@@ -8,6 +8,7 @@ import daphnis.analysis.plot.Curve
 import daphnis.analysis.table.Column
 import daphnis.analysis.table.Table
 import daphnis.analysis.table.UnitNames
+import java.util.Locale
 
 /** The ring around the moonlet [body]: surface density in axes that move with it, and the gaps of its propeller. */
 internal class PropellerPart(private val study: Study, private val body: Moonlet) : Part {
@@ -18,9 +19,13 @@ internal class PropellerPart(private val study: Study, private val body: Moonlet
     /** Of Hill radii along the orbit, from the near end of the gaps on. */
     private val near = NEAR * body.hillRadius
     private val far = minOf(FAR * body.hillRadius, box.length(1) / 2)
+    private val stretch get() = "${ReportText.short(NEAR)} to ${plain(far / body.hillRadius)}"
     private val propeller: Propeller? by lazy {
         if (near < far) map.gaps(near, far, REACH * body.hillRadius) else null
     }
+
+    /** To a tenth, without a zero behind it. */
+    private fun plain(value: Double) = String.format(Locale.ROOT, "%.1f", value).removeSuffix(".0")
 
     /** Cells of a particle's diameter or more, and of a fifth of a Hill radius where there is one; an odd number. */
     private fun cells(axis: Int): Int {
@@ -33,11 +38,10 @@ internal class PropellerPart(private val study: Study, private val body: Moonlet
     fun numbers(): List<NumberRow> {
         val rows = NumberRows()
         rows.exact("moonlet_hill_radius", "Hill radius r_H of the first moonlet", body.hillRadius, units.length)
-        val found = propeller ?: return rows.list()
+        val found = propeller?.takeIf { !it.isLane } ?: return rows.list()
         fun row(key: String, name: String, value: Double, error: Double, unit: String, note: String) =
             NumberRow(name, value, error, unit, null, note, Unknown.TOO_FEW.takeIf { error.isNaN() }, key)
-        val where = "centres of the gaps, ${ReportText.short(NEAR)} to " +
-            "${ReportText.short(far / body.hillRadius)} r_H along the orbit"
+        val where = "centres of the gaps, $stretch r_H along the orbit"
         return rows.list() + listOf(
             row(
                 "propeller_separation",
@@ -65,9 +69,9 @@ internal class PropellerPart(private val study: Study, private val body: Moonlet
         val excess = map.excess()
         val across = UnitNames.axis("azimuth from the moonlet", units.length)
         val radial = UnitNames.axis("radial distance", units.length)
-        val figure = Chart.map(x, y, excess, across, radial, "Σ/⟨Σ⟩ − 1")
+        val figure = Chart.map(x, y, excess, across, radial, "Σ/⟨Σ⟩ − 1", most = 1.0)
         val caption = "Surface density around the first moonlet, in axes that move with it, over its mean, less 1: " +
-            "${ReportText.count(map.states, "state")}. Orbital motion to the right, outward up."
+            "${ReportText.count(map.states, "state")}. Cells above 1 have the colour of 1. Orbital motion to the right, outward up."
         study.draw(page, figure, "moonlet", "surface density around the moonlet", caption, HEIGHT)
         val wake = map.wake(near, far)
         Table(
@@ -81,14 +85,22 @@ internal class PropellerPart(private val study: Study, private val body: Moonlet
         if (!(near < far)) return
         val curve = Curve("excess", DoubleArray(x.size) { x[it] / body.hillRadius }, wake)
         val chart = Chart.lines(listOf(curve), "radial distance [r_H]", "Σ/⟨Σ⟩ − 1", horizontal = 0.0)
-        val what = "The same ${ReportText.short(NEAR)} to ${ReportText.short(far / body.hillRadius)} Hill radii " +
+        val what = "The same $stretch Hill radii " +
             "downstream: behind the moonlet outside its orbit, ahead of it inside."
         study.draw(page, chart, "moonlet-wake", "surface density downstream of the moonlet", what)
         Table(
             "moonlet-wake",
             listOf(Column("dx", units.length, x), Column("excess", "", wake)),
         ).write(study.tables)
-        if (propeller == null) page.paragraph("No propeller: on one side at least no tenth of the ring is missing.")
+        val found = propeller
+        if (found == null) {
+            page.paragraph("No propeller: on one side at least no tenth of the ring is missing.")
+        } else if (found.isLane) {
+            page.paragraph(
+                "A lane, not the two gaps of a propeller: Σ at the moonlet's orbit does not stand above that on both " +
+                    "sides by more than its error.",
+            )
+        }
     }
 
     private companion object {

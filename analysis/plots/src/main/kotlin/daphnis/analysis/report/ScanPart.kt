@@ -10,6 +10,7 @@ import daphnis.analysis.occultation.Scan
 import daphnis.analysis.occultation.ScanStatistics
 import daphnis.analysis.plot.Chart
 import daphnis.analysis.plot.Curve
+import daphnis.analysis.statistics.BlockAverage
 import daphnis.analysis.table.Column
 import daphnis.analysis.table.Table
 import daphnis.core.scenario.InputException
@@ -26,7 +27,7 @@ internal class ScanPart(private val study: Study, footprint: Footprint) : LightP
     init {
         for (boundary in study.boxes.boundaries) {
             val why = scan.problem(boundary) ?: continue
-            throw InputException("footprint", null, "is a $footprint: $why", isArgument = true)
+            throw InputException("footprint", null, "is ${said(footprint)}: $why", isArgument = true)
         }
     }
 
@@ -45,9 +46,17 @@ internal class ScanPart(private val study: Study, footprint: Footprint) : LightP
         rows.average(null, "excess variance over that", excess * (1 / alone), "")
         rows.average(null, "skewness", statistics.skewness(), "")
         rows.average(null, "excess kurtosis", statistics.kurtosis(), "")
-        val length = statistics.autocorrelationLength()
-        rows.average(null, "autocorrelation length along the path", length, study.units.length, "to 1/e")
+        val length = length()
+        val isShort = statistics.autocorrelationLength().mean < statistics.step
+        val note = if (isShort) "shorter than a footprint" else "to 1/e"
+        rows.average(null, "autocorrelation length along the path", length, study.units.length, note)
         return study.judgement.shown(rows.list())
+    }
+
+    /** Of what is longer than a footprint; that of shorter things is not in the light, but the footprint's own is. */
+    private fun length(): BlockAverage {
+        val length = statistics.autocorrelationLength()
+        return if (length.mean >= statistics.step) length else BlockAverage(Double.NaN, Double.NaN, 0, 0.0)
     }
 
     override fun write(page: ReportPage) {
@@ -72,7 +81,7 @@ internal class ScanPart(private val study: Study, footprint: Footprint) : LightP
             "skewness" to statistics.skewness(),
             "kurtosis" to statistics.kurtosis(),
         )
-        val length = statistics.autocorrelationLength()
+        val length = length()
         return averages.flatMap { (name, average) ->
             listOf(
                 Column(name, "", one(average.mean)),
@@ -94,8 +103,8 @@ internal class ScanPart(private val study: Study, footprint: Footprint) : LightP
         val figure = Chart.lines(listOf(Curve("last state", place, first)), study.lengthAxis("along the path"), unit)
         val degrees = ReportText.short(options.occultation.scanPath)
         val caption =
-            "Light curve of one track through the last state, as an instrument sees it whose footprint is a " +
-                "${scan.footprint} in the scenario's unit of length. Its path lies $degrees° from x toward y."
+            "Light curve of one track through the last state, as an instrument sees it whose footprint is " +
+                "${said(scan.footprint)}. Its path lies $degrees° from x toward y."
         study.draw(page, figure, "occultation-scan", "light curve of a track", caption)
         val written = maxOf(1, minOf(tracks.size, MOST_ROWS / first.size))
         val n = first.size
@@ -107,6 +116,12 @@ internal class ScanPart(private val study: Study, footprint: Footprint) : LightP
                 Column("transmission", "", DoubleArray(written * n) { tracks[it / n][it % n] }),
             ),
         ).write(study.tables)
+    }
+
+    private fun said(footprint: Footprint): String {
+        fun length(value: Double) = "${ReportText.short(value)} ${study.units.length}".trimEnd()
+        if (footprint.isDisc) return "a disc of diameter ${length(footprint.length)}"
+        return "${length(footprint.length)} × ${length(footprint.width)}"
     }
 
     private fun autocorrelation(page: ReportPage) {

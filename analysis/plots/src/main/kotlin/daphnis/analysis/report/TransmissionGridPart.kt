@@ -74,7 +74,7 @@ internal class TransmissionGridPart(private val study: Study) : LightPart {
             val name = "transmission at ${ReportText.short(elevation)}°, ${ReportText.short(azimuth)}°"
             lines.average(null, name, light.average(k), "")
         }
-        val ellipse = fits.firstOrNull()?.takeIf { study.isRing && it.isSeen }
+        val ellipse = fits.firstOrNull()?.takeIf { study.isRing && it.isSeen && !it.isNegligible }
         return study.judgement.shown(lines.list()) + ellipse?.let(::rows).orEmpty()
     }
 
@@ -97,6 +97,12 @@ internal class TransmissionGridPart(private val study: Study) : LightPart {
             page.paragraph(
                 "No bars are fitted: the light does not depend on the azimuth by more than chance makes it, or there " +
                     "are too few states to tell.",
+            )
+        } else if (ellipse.isNegligible) {
+            val percent = ReportText.short(100 * WakeFit.LEAST_SHARE)
+            page.paragraph(
+                "No bars are given: the light depends on the azimuth, but too weakly for wakes. The bars that come " +
+                    "nearest would cover less than $percent % of the plane.",
             )
         } else {
             page.numbers(rows(ellipse))

@@ -101,10 +101,13 @@ internal class WalkPart(private val study: Study) : Part {
         val label = UnitNames.axis(what, units.length)
         val figure = Chart.lines(curves, "time [orbits]", label, vertical = study.from / orbit)
         val left = if (all.size > MOST_CURVES) " The first $MOST_CURVES of ${all.size}." else ""
-        val caption = "${what.replaceFirstChar { it.uppercase() }} of moonlets over the whole run; dashed: where " +
+        val caption = "${capital(what)} of moonlets over the whole run; dashed: where " +
             "averages begin.$left"
         study.draw(page, figure, name, alt, caption)
     }
+
+    /** A symbol stays as it is: a·e is not A·e. */
+    private fun capital(what: String) = if (what[1].isLetter()) what.replaceFirstChar { it.uppercase() } else what
 
     private companion object {
         /** The least of orbits over which pushes are forgotten: an epicycle is damped, and what passed is gone. */

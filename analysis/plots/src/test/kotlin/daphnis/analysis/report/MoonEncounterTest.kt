@@ -4,6 +4,7 @@ import daphnis.analysis.table.UnitNames
 import daphnis.core.boundary.Box
 import daphnis.core.orbit.OrbitalFrequencies
 import daphnis.core.scenario.BuiltIn
+import daphnis.core.scenario.FrameSetup
 import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.UnitsSpec
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -54,7 +55,11 @@ class MoonEncounterTest {
             )!!,
             box,
             units,
+            FrameSetup.orbitsBetweenPassages(wake(), orbits, MoonEncounter.moons(wake()).first()),
         )
+        // The run's: the circumference in the middle of the frame over 3/2 · 167 km.
+        val between = rows(0.0).single { it.name == "time between passages" }.value
+        assertEquals(133_746 / (1.5 * 167), between, 1e-3)
         assertEquals(1, rows(0.0).count { "amplitude" in it.name })
         val swinging = rows(30.0)
         val least = swinging.single { "least" in it.name }.value

@@ -38,6 +38,11 @@ class MoonletSectionTest {
         for (plot in listOf("moonlet", "moonlet-wake", "moonlet-walk", "moonlet-eccentricity")) {
             assertTrue(Files.size(path.resolve("plots/$plot.svg")) > 1000) { plot }
         }
+        assertTrue("A·e of moonlets" !in html && "a·e of moonlets over the whole run" in html)
+        assertTrue(Regex("The same 2 to [0-9](\\.[1-9])? Hill radii").containsMatchIn(html))
+        // The scale ends where nothing is left.
+        val map = Files.readString(path.resolve("plots/moonlet.svg"))
+        assertTrue(">−1.0<" in map || ">−1<" in map) { map.takeLast(1000) }
         val numbers = numbers(path)
         val always = NumberKeys.MOONLET - listOf("propeller_separation", "propeller_depth")
         assertEquals(emptyList<String>(), always.filter { it !in numbers })
@@ -47,9 +52,9 @@ class MoonletSectionTest {
         assertEquals("m/orbit", drift[3])
         assertEquals("", drift[2]) { "two changes of two orbits are too few for an error" }
         assertEquals("kg m/s^2", numbers.getValue("moonlet_force_impacts")[3].replace("N", "kg m/s^2"))
-        val map = Files.readAllLines(path.resolve("tables/moonlet-map.csv"))
-        assertEquals("dx [m],dy [m],excess", map[0])
-        assertEquals(0.0, map.drop(1).map { it.substringAfterLast(',').toDouble() }.average(), 1e-9)
+        val cells = Files.readAllLines(path.resolve("tables/moonlet-map.csv"))
+        assertEquals("dx [m],dy [m],excess", cells[0])
+        assertEquals(0.0, cells.drop(1).map { it.substringAfterLast(',').toDouble() }.average(), 1e-9)
     }
 
     @Test

@@ -40,7 +40,7 @@ class OccultationPartsTest {
         Analysis(input, AnalysisOptions(from = 0.0)).write(plain)
         val seen = Files.writeString(
             directory.resolve("seen.csv"),
-            "elevation,azimuth,transmission,error\n28,0,0.3,0.05\n90,0,0.6,0.02\n",
+            "elevation,azimuth,transmission,error\n28,0,0.3,0.05\n90,0,1.6,0.4\n",
         )
         val options = OccultationOptions(
             doubleArrayOf(60.0, 20.0),
@@ -67,6 +67,12 @@ class OccultationPartsTest {
             assertTrue(Files.size(path.resolve("plots/occultation-$plot.png")) > 1000) { plot }
         }
 
+        val svg = Files.readString(path.resolve("plots/occultation-observed.svg"))
+        assertTrue(">28, 0<" in svg && ">90, 0<" in svg)
+        // Spheres a radius of 1 m behind footprints of 5 m: nothing is remembered from one to the next.
+        assertTrue("shorter than a footprint" in html && "whose footprint is 5 m × 4 m." in html)
+        assertEquals("", table(path, "occultation-scan-moments").getValue("autocorrelation_length [m]").single())
+
         val grid = table(path, "occultation-grid")
         assertEquals(
             listOf("20.0", "20.0", "20.0", "20.0", "60.0", "60.0", "60.0", "60.0"),
@@ -81,6 +87,7 @@ class OccultationPartsTest {
         assertEquals(one, compared.getValue("patch")[0].toDouble(), 0.01)
         assertEquals(0.3 - compared.getValue("patch")[0].toDouble(), compared.getValue("residual")[0].toDouble(), 1e-12)
         assertTrue("χ² against the observed transmissions" in html && "2 expected, ± 2" in html)
+        assertTrue("Line 3 of the file has the transmission 1.6" in html)
 
         val scan = table(path, "occultation-scan")
         // Along the orbit the patch has room for eight footprints, and for ten tracks beside.
@@ -111,7 +118,7 @@ class OccultationPartsTest {
             val e = assertThrows(InputException::class.java, act)
             assertTrue(e.message!!.startsWith(words)) { e.message }
         }
-        refused("footprint: is a disc of diameter 41.0: it must fit into the patch, which has room for 40.0 along") {
+        refused("footprint: is a disc of diameter 41 m: it must fit into the patch, which has room for 40.0 along") {
             of(OccultationOptions(footprint = Footprint.disc(41.0)))
         }
         assertFalse(Files.exists(path.resolve("report.html")))
