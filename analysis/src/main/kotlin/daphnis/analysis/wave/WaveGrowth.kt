@@ -103,14 +103,8 @@ public class WaveGrowth private constructor(
 
         /** By how much the logarithm rises in the time of growth, above the noise that a run fills with at first. */
         private fun gain(logarithms: DoubleArray, first: Int, last: Int): Double {
-            val noise = if (first <
-                SETTLING
-            ) {
-                maxOf(logarithms[first], smooth(logarithms)[SETTLING])
-            } else {
-                logarithms[first]
-            }
-            return logarithms[last] - noise
+            val filled = if (first < SETTLING) smooth(logarithms)[SETTLING] else Double.NEGATIVE_INFINITY
+            return logarithms[last] - maxOf(logarithms[first], filled)
         }
 
         /** Medians of five periods, of fewer at the ends. */

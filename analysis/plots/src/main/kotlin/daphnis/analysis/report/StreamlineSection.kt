@@ -21,14 +21,10 @@ internal class StreamlineSection(private val study: Study) : Section {
     override val heading = "Streamlines"
     override val over = study.overLast
     override val applies = study.isRing && study.input.hasVelocities
-    override val leftOut =
-        if (study.isThin) {
-            "the patch is too thin for slabs of azimuth: their streamlines are noise"
-        } else {
-            study.tooFew(
-                LEAST,
-            )
-        }
+    override val leftOut = when {
+        study.isThin -> "the patch is too thin for slabs of azimuth: their streamlines are noise"
+        else -> study.tooFew(LEAST)
+    }
 
     /** What is [asked] for, else by the number of spheres. */
     private inline fun chosen(asked: Int, suitable: (Int) -> Int) =
