@@ -39,7 +39,8 @@ internal class CostRows(private val setup: ScenarioSetup, private val say: Quant
         rows.add("memory", "${bytes(size * each)} of the heap of Java, ${bytes(each)} per sphere")
         rows.add(
             "run time",
-            "${took(steps * size * secondsPerSphereAndStep())} on one core, roughly; several times that in a dense ring",
+            "${took(steps * size * secondsPerSphereAndStep())} on one core, roughly; several times that in a " +
+                "dense ring",
         )
         val count = when {
             exact -> ""
@@ -99,7 +100,7 @@ internal class CostRows(private val setup: ScenarioSetup, private val say: Quant
 
     /**
      * From the benchmarks in docs/performance.md: free motion, search and collisions of a dilute to middling system; a
-     * walk through the tree, or a mesh, for gravity.
+     * mesh for gravity, or a walk through the tree as runs of some thousand spheres take it.
      */
     private fun secondsPerSphereAndStep(): Double {
         var seconds = STEP_SECONDS

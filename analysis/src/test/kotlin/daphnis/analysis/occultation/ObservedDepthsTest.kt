@@ -56,7 +56,9 @@ class ObservedDepthsTest {
         for (row in listOf("20,0,1.6,0.1", "20,0,-0.6,0.1")) {
             val path = file(head + row)
             val said = assertThrows(FormatException::class.java) { ObservedDepths.read(path) }.message!!
-            assertTrue(said.startsWith("$path:2: transmission is '${row.split(',')[2]}'; it must be in [0, 1]")) { said }
+            assertTrue(said.startsWith("$path:2: transmission is '${row.split(',')[2]}'; it must be in [0, 1]")) {
+                said
+            }
         }
     }
 

@@ -71,7 +71,8 @@ internal class PropellerPart(private val study: Study, private val body: Moonlet
         val radial = UnitNames.axis("radial distance", units.length)
         val figure = Chart.map(x, y, excess, across, radial, "Σ/⟨Σ⟩ − 1", most = 1.0)
         val caption = "Surface density around the first moonlet, in axes that move with it, over its mean, less 1: " +
-            "${ReportText.count(map.states, "state")}. Cells above 1 have the colour of 1. Orbital motion to the right, outward up."
+            "${ReportText.count(map.states, "state")}. Cells above 1 have the colour of 1. Orbital motion to the " +
+            "right, outward up."
         study.draw(page, figure, "moonlet", "surface density around the moonlet", caption, HEIGHT)
         val wake = map.wake(near, far)
         Table(
