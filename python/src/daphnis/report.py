@@ -145,7 +145,7 @@ def analyze(
         from_: averages begin at this time, in units of time; without it after 3/8 of the run, or where it is steady.
         slabs: slabs of azimuth for streamlines; 0 chooses by the number of particles.
         groups: groups of equal count in each; 0 as for `slabs`.
-        elevation: of the rays of the occultation above the x-y plane, in degrees, in (0, 90].
+        elevation: of the rays of the occultation above the x-y plane, in degrees, in 0.1..90.
         azimuth: direction in which they climb, from x toward y, in degrees.
         frames: states that are averaged at most.
         elevations: of a grid of lines of sight along which the transmission is computed, in degrees; none for no grid.
@@ -220,7 +220,7 @@ def _check(slabs: int, groups: int, elevation: float, azimuth: float, frames: in
     for name, value, holds, right in (
         ("slabs", slabs, 0 <= slabs <= _MOST, f"in 1..{_MOST}, or 0"),
         ("groups", groups, 0 <= groups <= _MOST, f"in 1..{_MOST}, or 0"),
-        ("elevation", elevation, 0 < elevation <= 90, "in (0, 90] degrees"),
+        ("elevation", elevation, 0.1 <= elevation <= 90, "in 0.1..90 degrees"),
         ("azimuth", azimuth, -360 <= azimuth <= 360, "in -360..360 degrees"),
         ("frames", frames, frames >= 1, "at least 1"),
     ):

@@ -11,6 +11,7 @@ import com.github.ajalt.clikt.parameters.options.option
 import com.github.ajalt.clikt.parameters.types.double
 import com.github.ajalt.clikt.parameters.types.int
 import daphnis.analysis.input.AnalysisInput
+import daphnis.analysis.occultation.LineOfSight
 import daphnis.analysis.report.Analysis
 import daphnis.analysis.report.AnalysisOptions
 import daphnis.analysis.report.AnalysisProgress
@@ -56,7 +57,7 @@ class AnalyzeCommand : CliktCommand(name = "analyze") {
     ).int().default(0)
     private val elevation by option(
         "--elevation",
-        help = "elevation of the rays of the occultation above the x-y plane, degrees in (0, 90] (default 28)",
+        help = "elevation of the rays of the occultation above the x-y plane, degrees in 0.1..90 (default 28)",
     )
         .double().default(28.0)
     private val azimuth by option(
@@ -108,7 +109,9 @@ class AnalyzeCommand : CliktCommand(name = "analyze") {
             throw InputException(option, null, "is $value; it must be $right")
         if (slabs < 0 || slabs > MOST) wrong("--slabs", slabs, "in 1..$MOST")
         if (groups < 0 || groups > MOST) wrong("--groups", groups, "in 1..$MOST")
-        if (!(elevation > 0 && elevation <= 90)) wrong("--elevation", elevation, "in (0, 90] degrees")
+        if (!(elevation >= LineOfSight.LOWEST && elevation <= 90)) {
+            wrong("--elevation", elevation, "in ${LineOfSight.LOWEST}..90 degrees")
+        }
         if (!(azimuth >= -360 && azimuth <= 360)) wrong("--azimuth", azimuth, "in -360..360 degrees")
         if (frames < 1) wrong("--frames", frames, "at least 1")
         if (scenario == null && settings.isNotEmpty()) {

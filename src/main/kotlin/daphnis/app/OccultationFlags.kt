@@ -15,12 +15,12 @@ internal class OccultationFlags : OptionGroup() {
     private val elevations by option(
         "--elevations",
         metavar = "degrees",
-        help = "transmission over a grid: its elevations, with commas between, such as 10,20,40,60,90",
+        help = "transmission over a grid: its elevations, with commas between, such as 10,20,40,60,90; 0.1 at least",
     )
     private val azimuths by option(
         "--azimuths",
         help = "azimuths of this grid, so many, evenly over half a turn (default ${OccultationOptions.AZIMUTHS})",
-    ).int().default(OccultationOptions.AZIMUTHS)
+    ).int()
     private val footprint by option(
         "--footprint",
         metavar = "length",
@@ -48,11 +48,13 @@ internal class OccultationFlags : OptionGroup() {
         val disc = footprint?.let(::footprintOf)
         if (disc == null && photons != null) throw wrong("--photons", "$photons", "given with --footprint")
         if (disc == null && scanPath != 0.0) throw wrong("--scan-path", "$scanPath", "given with --footprint")
+        if (elevations == null) azimuths?.let { throw wrong("--azimuths", "$it", "given with --elevations") }
         val heights = elevations?.split(',')?.map {
             it.trim().toDoubleOrNull() ?: throw wrong("--elevations", "$elevations", "numbers with commas between")
         }
         val table = observed?.let { ObservedDepths.read(pathOf(it, "--observed")) }
-        return OccultationOptions(heights.orEmpty().toDoubleArray(), azimuths, disc, scanPath, photons, table)
+        val turns = azimuths ?: OccultationOptions.AZIMUTHS
+        return OccultationOptions(heights.orEmpty().toDoubleArray(), turns, disc, scanPath, photons, table)
     }
 
     private fun footprintOf(text: String): Footprint {

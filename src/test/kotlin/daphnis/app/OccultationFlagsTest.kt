@@ -62,7 +62,10 @@ class OccultationFlagsTest {
             listOf("--footprint=5", "--scan-path=361") to "--scan-path: is 361.0; it must be in -360..360 degrees",
             listOf("--footprint=5", "--photons=0") to "--photons: is 0.0; it must be in (0,",
             listOf("--elevations=10,high") to "--elevations: is 10,high; it must be numbers with commas between",
-            listOf("--elevations=10,95") to "--elevations: is 95.0; it must be in (0, 90] degrees",
+            listOf("--elevations=10,95") to "--elevations: is 95.0; it must be in 0.1..90 degrees",
+            listOf("--elevations=0.001", "--azimuths=1") to "--elevations: is 0.001; it must be in 0.1..90 degrees",
+            listOf("--elevation=1e-9") to "--elevation: is 1.0E-9; it must be in 0.1..90 degrees",
+            listOf("--azimuths=3") to "--azimuths: is 3; it must be given with --elevations",
             listOf("--elevations=10", "--azimuths=0") to "--azimuths: is 0; it must be in 1..180",
             listOf("--observed=${at("none.csv")}") to "none.csv: cannot be read: no such file",
             listOf(
@@ -71,7 +74,7 @@ class OccultationFlagsTest {
                     "elevation,azimuth,transmission,error\n0,0,1,1\n",
                 )}",
             )
-                to "bad.csv:2: elevation is '0'; it must be in (0, 90] degrees",
+                to "bad.csv:2: elevation is '0'; it must be in 0.1..90 degrees",
         )) {
             assertRefused(analyze(*flags.toTypedArray()), words)
         }

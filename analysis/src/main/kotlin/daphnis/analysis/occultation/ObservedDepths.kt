@@ -5,6 +5,7 @@ import daphnis.core.format.PackedFile
 import daphnis.core.format.reasonOf
 import daphnis.core.table.UnitsOfDimensions
 import java.io.IOException
+import java.nio.charset.CharacterCodingException
 import java.nio.file.Path
 
 /**
@@ -30,22 +31,27 @@ public class ObservedDepths private constructor(
 
         /**
          * Reads a CSV file with the columns `elevation` and `azimuth` in degrees, either `optical_depth` or
-         * `transmission`, and `error`, in any order; units in brackets behind a name and other columns are passed over,
-         * and so are empty lines and those that begin with `#`. The azimuth is that of [LineOfSight].
+         * `transmission`, and `error`, in any order, with a unit in brackets behind the name or without. Other columns
+         * are passed over, and so are empty lines and those that begin with `#`. The azimuth is that of [LineOfSight].
          *
-         * @throws FormatException naming file and line when it cannot be read, a column is missing, a value is no
-         * number or out of range, a transmission is more than [MOST_ERRORS] of its errors below 0 or above 1, or there is no row or too many
+         * @throws FormatException naming file and line when it cannot be read, a column is missing, there twice or in
+         * another unit, a value is no decimal number or out of range, a transmission is more than [MOST_ERRORS] of its
+         * errors below 0 or above 1, or there is no row or too many
          */
         @JvmStatic
         public fun read(path: Path): ObservedDepths {
             val text = try {
                 PackedFile.text(path, LONGEST)
+            } catch (_: CharacterCodingException) {
+                throw FormatException("$path: is not UTF-8 text")
             } catch (e: IOException) {
                 throw FormatException("$path: cannot be read: ${reasonOf(e, path)}")
             }
-            val rows = text.lines().withIndex().filter { (_, line) -> line.isNotBlank() && !line.startsWith("#") }
+            val rows = text.lines().withIndex().filter { (_, line) ->
+                line.isNotBlank() && !line.trimStart().startsWith("#")
+            }
             val head = rows.firstOrNull() ?: throw FormatException("$path: is empty; it must have a header and rows")
-            return Reader(path, head.value.split(',').map { UnitsOfDimensions.nameIn(it.trim()) }).read(rows.drop(1))
+            return Reader(path, head.value.split(',').map { it.trim() }).read(rows.drop(1))
         }
 
         private const val LONGEST = 1 shl 20
@@ -55,9 +61,17 @@ public class ObservedDepths private constructor(
         private const val DEPTH = "optical_depth"
         private const val TRANSMISSION = "transmission"
         private const val ERROR = "error"
+
+        /** Beyond these no square overflows a sum. */
+        private const val LEAST_ERROR = 1e-12
+        private const val MOST_VALUE = 1000.0
+        private val DEGREES = listOf("degrees", "degree", "deg", "°")
+        private val PURE = listOf("1", "")
+        private val DECIMAL = Regex("[+-]?([0-9]+[.]?[0-9]*|[.][0-9]+)([eE][+-]?[0-9]+)?")
     }
 
-    private class Reader(private val path: Path, private val names: List<String>) {
+    private class Reader(private val path: Path, private val heads: List<String>) {
+        private val names = heads.map { UnitsOfDimensions.nameIn(it) }
         private val areDepths = DEPTH in names
         private val value = if (areDepths) DEPTH else TRANSMISSION
         private val places = listOf(ELEVATION, AZIMUTH, value, ERROR).associateWith { names.indexOf(it) }
@@ -70,6 +84,7 @@ public class ObservedDepths private constructor(
                 val or = if (it.key == TRANSMISSION) ", and there is no '$DEPTH' either" else ""
                 throw FormatException("$path: column '${it.key}' is missing$or")
             }
+            for ((name, place) in places) checkHead(name, heads[place])
             if (rows.isEmpty()) throw FormatException("$path: has no rows")
             if (rows.size > MOST) throw FormatException("$path: ${rows.size} rows; at most $MOST are compared")
             val values = DoubleArray(rows.size)
@@ -82,25 +97,35 @@ public class ObservedDepths private constructor(
                 }
                 fun number(name: String, right: String, holds: (Double) -> Boolean): Double {
                     val cell = cells[places.getValue(name)].trim()
-                    val number = cell.toDoubleOrNull()
+                    val number = if (DECIMAL.matches(cell)) cell.toDouble() else null
                     if (number != null && holds(number)) return number
                     throw FormatException(
                         "$path:${index + 1}: $name is '${cell.take(LONGEST_CELL)}'; it must be $right",
                     )
                 }
-                values[k] = number(value, "a finite number") { it.isFinite() }
-                errors[k] = number(ERROR, "finite and > 0") { it > 0 && it.isFinite() }
+                values[k] = number(value, "a number in -1000..1000") { it >= -MOST_VALUE && it <= MOST_VALUE }
+                errors[k] = number(ERROR, "finite and at least $LEAST_ERROR") { it >= LEAST_ERROR && it.isFinite() }
                 val beyond = if (areDepths) 0.0 else maxOf(-values[k], values[k] - 1)
                 if (beyond > 0) {
                     number(value, "in [0, 1] within five of its errors") { beyond <= MOST_ERRORS * errors[k] }
                     remarks += "Line ${index + 1} of the file has the $value ${values[k]}, which is not in 0 to 1."
                 }
                 LineOfSight.degrees(
-                    number(ELEVATION, "in (0, 90] degrees") { it > 0 && it <= 90 },
+                    number(ELEVATION, "in ${LineOfSight.LOWEST}..90 degrees") { it >= LineOfSight.LOWEST && it <= 90 },
                     number(AZIMUTH, "in -360..360 degrees") { it >= -360 && it <= 360 },
                 )
             }
             return ObservedDepths(lines, values, errors, areDepths, remarks)
+        }
+
+        private fun checkHead(name: String, head: String) {
+            if (names.count { it == name } > 1) throw FormatException("$path: column '$name' occurs twice")
+            if (head == name) return
+            val unit = head.substringAfter('[').removeSuffix("]").trim()
+            val isAngle = name == ELEVATION || name == AZIMUTH
+            if (unit in if (isAngle) DEGREES else PURE) return
+            val right = if (isAngle) "in degrees" else "a pure number"
+            throw FormatException("$path: $name is in '${unit.take(LONGEST_CELL)}'; it must be $right")
         }
     }
 }

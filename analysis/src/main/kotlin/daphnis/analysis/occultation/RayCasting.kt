@@ -18,7 +18,7 @@ import kotlin.math.tan
  * each blocked by the spheres it meets, images included. Blocked rays are found by shadows: a sphere at height z
  * shadows the ellipse around (x, y) − z/tan B · (cos A, sin A), with semi-axes r and r / sin B, of the plane.
  *
- * @param elevation B, angle between the rays and the ring plane in radians, in (0, π/2]
+ * @param elevation B, angle between the rays and the ring plane in radians, in [[LineOfSight.LOWEST] degrees, π/2]
  * @param azimuth A, direction in the plane in which the rays climb, from x toward y, in radians
  * @param rays rays along the longer edge of the patch, at most; rays along x and y are as far apart
  */
@@ -28,7 +28,7 @@ public class RayCasting @JvmOverloads constructor(
     private val rays: Int = 1024,
 ) {
     init {
-        require(elevation > 0 && elevation <= PI / 2) { "elevation is $elevation; it must be in (0, π/2]" }
+        LineOfSight.requireElevation(elevation)
         require(azimuth.isFinite()) { "azimuth is $azimuth; it must be finite" }
         require(rays >= 1) { "$rays rays; there must be one at least" }
     }

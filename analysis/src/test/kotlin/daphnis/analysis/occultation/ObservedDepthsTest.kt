@@ -28,7 +28,8 @@ class ObservedDepthsTest {
     fun `a table has its columns in any order, with units, remarks and further columns`() {
         val table = ObservedDepths.read(
             file(
-                "# A ring\nstar,error,azimuth [degrees],optical_depth,elevation [degrees]\nα,0.1,30,0.7,20\n\nβ,0.2,-15,0.5,90\n",
+                "# A ring\nstar [J],error,azimuth [°],optical_depth [1],elevation [degrees]\n" +
+                    "α,1e-1,+30,.7,20.\n\n  # β\nβ,0.2,-15,0.5,90\n",
             ),
         )
         assertTrue(table.areDepths)
@@ -74,12 +75,25 @@ class ObservedDepthsTest {
             "elevation,azimuth,optical_depth,transmission,error\n1,2,3,4,5\n" to
                 ": there are optical_depth and transmission",
             head + "20,0,0.5,0.1\n20,0,0.5\n" to ":3: 3 values, the header has 4",
-            head + "\n0,0,0.5,0.1\n" to ":3: elevation is '0'; it must be in (0, 90] degrees",
+            head + "\n0,0,0.5,0.1\n" to ":3: elevation is '0'; it must be in 0.1..90 degrees",
+            head + "1e-9,0,0.5,0.1\n" to ":2: elevation is '1e-9'; it must be in 0.1..90 degrees",
             head + "91,0,0.5,0.1\n" to ":2: elevation is '91'",
             head + "20,400,0.5,0.1\n" to ":2: azimuth is '400'; it must be in -360..360",
-            head + "20,0,NaN,0.1\n" to ":2: optical_depth is 'NaN'; it must be a finite number",
+            head + "20,0,NaN,0.1\n" to ":2: optical_depth is 'NaN'; it must be a number in -1000..1000",
             head + "20,0,half,0.1\n" to ":2: optical_depth is 'half'",
-            head + "20,0,0.5,0\n" to ":2: error is '0'; it must be finite and > 0",
+            head + "20,0,0.5,0\n" to ":2: error is '0'; it must be finite and at least 1.0E-12",
+            head + "20,0,0.5,1e-300\n" to ":2: error is '1e-300'",
+            head + "20,0,0.5,Infinity\n" to ":2: error is 'Infinity'",
+            head + "20,0,1e200,0.1\n" to ":2: optical_depth is '1e200'",
+            head + "20,0,0x1p-1,0.1\n" to ":2: optical_depth is '0x1p-1'",
+            head + "20,0,0.5d,0.1\n" to ":2: optical_depth is '0.5d'",
+            head + "20,0,0.5,1f\n" to ":2: error is '1f'",
+            "elevation [rad],azimuth,optical_depth,error\n1,2,3,4\n" to
+                ": elevation is in 'rad'; it must be in degrees",
+            "elevation,azimuth [h],optical_depth,error\n1,2,3,4\n" to ": azimuth is in 'h'; it must be in degrees",
+            "elevation,azimuth,transmission [%],error\n1,2,3,4\n" to
+                ": transmission is in '%'; it must be a pure number",
+            "elevation,azimuth,transmission,error [mag],error\n1,2,3,4,5\n" to ": column 'error' occurs twice",
             head + "20,0,0.5,-1\n" to ":2: error is '-1'",
             head + "20,0,0.5,0.1\n".repeat(1001) to ": 1001 rows; at most 1000",
         )) {
@@ -90,7 +104,8 @@ class ObservedDepthsTest {
         val none = directory.resolve("none.csv")
         assertTrue("no such file" in assertThrows(FormatException::class.java) { ObservedDepths.read(none) }.message!!)
         val bytes = Files.write(directory.resolve("bytes.csv"), byteArrayOf(-1, -2, 7))
-        assertThrows(FormatException::class.java) { ObservedDepths.read(bytes) }
+        val said = assertThrows(FormatException::class.java) { ObservedDepths.read(bytes) }.message
+        assertEquals("$bytes: is not UTF-8 text", said)
     }
 
     @Test

@@ -65,6 +65,9 @@ class TransmissionsTest {
     @Test
     fun `directions that are none are refused`() {
         assertThrows(IllegalArgumentException::class.java) { LineOfSight(0.0) }
+        assertThrows(IllegalArgumentException::class.java) { LineOfSight.degrees(0.0999, 0.0) }
+        assertThrows(IllegalArgumentException::class.java) { RayCasting(1e-9) }
+        assertEquals(0.1, Math.toDegrees(LineOfSight.degrees(LineOfSight.LOWEST, 0.0).elevation), 1e-15)
         assertThrows(IllegalArgumentException::class.java) { LineOfSight(1.6) }
         assertThrows(IllegalArgumentException::class.java) { LineOfSight(1.0, Double.NaN) }
         assertThrows(IllegalArgumentException::class.java) { Transmissions(emptyList(), 0) }

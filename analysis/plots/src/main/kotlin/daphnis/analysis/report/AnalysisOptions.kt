@@ -6,7 +6,7 @@ package daphnis.analysis.report
  * @property from averages begin at this time, at most that of the last state; null for three eighths of the run, when
  * it is hoped to be steady
  * @property slabs of azimuth for streamlines; [groups] in each; 0 to choose by the number of particles
- * @property elevation of the rays above the x-y plane in degrees, in (0, 90]
+ * @property elevation of the rays above the x-y plane in degrees, in 0.1..90
  * @property frames states that are averaged at most, evenly spread
  * @property azimuth direction in which the rays climb, from x toward y, in degrees
  * @property occultation what else is computed of the light through the patch

@@ -24,10 +24,15 @@ internal class ObservedPart(private val study: Study, private val observed: Obse
     override fun rows(): List<NumberRow> {
         val rows = NumberRows()
         val count = comparison.count
-        val scatter = ReportText.short(Math.sqrt(2.0 * count))
-        rows.exact(null, "χ² against the observed ${what}s", comparison.chiSquare, "", "$count expected, ± $scatter")
+        if (count > 0) {
+            val expected = "$count expected, ± ${ReportText.short(Math.sqrt(2.0 * count))}"
+            rows.exact(null, "χ² against the observed ${what}s", comparison.chiSquare, "", expected)
+        }
         val opaque = observed.lines.size - count
-        if (opaque > 0) rows.exact(null, "lines along which nothing comes through, left out", opaque.toDouble(), "")
+        if (opaque > 0) {
+            val note = if (count > 0) "" else "there is nothing to compare"
+            rows.exact(null, "lines along which nothing comes through, left out", opaque.toDouble(), "", note)
+        }
         return rows.list()
     }
 
@@ -41,7 +46,7 @@ internal class ObservedPart(private val study: Study, private val observed: Obse
         val n = observed.lines.size
         val seen = DoubleArray(n) { comparison.seen[it].mean }
         val seenErrors = study.judgement.errors(DoubleArray(n) { comparison.seen[it].error })
-        val elevations = DoubleArray(n) { Math.toDegrees(observed.lines[it].elevation) }
+        val elevations = DoubleArray(n) { degrees(observed.lines[it].elevation) }
         val index = DoubleArray(n) { (it + 1).toDouble() }
         val figure = Chart.lines(
             listOf(Curve("observed", index, observed.values, observed.errors), Curve("patch", index, seen, seenErrors)),
@@ -58,7 +63,7 @@ internal class ObservedPart(private val study: Study, private val observed: Obse
             "occultation-observed",
             listOf(
                 Column("elevation", "degrees", elevations),
-                Column("azimuth", "degrees", DoubleArray(n) { Math.toDegrees(observed.lines[it].azimuth) }),
+                Column("azimuth", "degrees", DoubleArray(n) { degrees(observed.lines[it].azimuth) }),
                 Column("observed", "", observed.values),
                 Column("observed_error", "", observed.errors),
                 Column("patch", "", DoubleArray(n) { if (seen[it].isFinite()) seen[it] else Double.NaN }),
@@ -73,8 +78,9 @@ internal class ObservedPart(private val study: Study, private val observed: Obse
     private fun rowMarks(): NamedMarks {
         val n = observed.lines.size
         val shown = (0 until n step (n + MOST_NAMES - 1) / MOST_NAMES).toList()
-        fun degrees(angle: Double) = ReportText.short(Math.toDegrees(angle))
-        val names = shown.map { "${degrees(observed.lines[it].elevation)}, ${degrees(observed.lines[it].azimuth)}" }
+        val names = shown.map { k ->
+            observed.lines[k].let { listOf(it.elevation, it.azimuth) }.joinToString { ReportText.short(degrees(it)) }
+        }
         return NamedMarks(Ticks(shown.map { it + 1.0 }, names), 1 - BESIDE, n + BESIDE)
     }
 
@@ -82,5 +88,9 @@ internal class ObservedPart(private val study: Study, private val observed: Obse
         const val MOST_REMARKS = 5
         const val MOST_NAMES = 8
         const val BESIDE = 0.4
+        private const val PER_DEGREE = 1e10
+
+        /** 30 of what was read as 30: the way to radians and back misses by the last digits. */
+        fun degrees(radians: Double) = Math.rint(Math.toDegrees(radians) * PER_DEGREE) / PER_DEGREE
     }
 }

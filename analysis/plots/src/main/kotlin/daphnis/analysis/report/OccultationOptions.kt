@@ -1,13 +1,14 @@
 package daphnis.analysis.report
 
 import daphnis.analysis.occultation.Footprint
+import daphnis.analysis.occultation.LineOfSight
 import daphnis.analysis.occultation.ObservedDepths
 import daphnis.core.scenario.InputException
 
 /**
  * What is computed of the light through a patch beside the transmission along one line of sight: nothing unless asked.
  *
- * @property elevations of a grid of lines of sight in degrees, each in (0, 90]; none for no grid
+ * @property elevations of a grid of lines of sight in degrees, each in [[LineOfSight.LOWEST], 90]; none for no grid
  * @property azimuths of the grid: so many, evenly spread over 180°, from 0 on
  * @property footprint of an instrument whose light curves are simulated, in the scenario's unit of length; null for none
  * @property scanPath direction in the plane in which it moves, from x toward y, in degrees
@@ -23,7 +24,9 @@ public class OccultationOptions @JvmOverloads constructor(
     public val observed: ObservedDepths? = null,
 ) {
     init {
-        elevations.find { !(it > 0 && it <= RIGHT) }?.let { throw wrong("elevations", it, "in (0, 90] degrees") }
+        elevations.find { !(it >= LineOfSight.LOWEST && it <= RIGHT) }?.let {
+            throw wrong("elevations", it, "in ${LineOfSight.LOWEST}..90 degrees")
+        }
         if (elevations.size > MOST) throw wrong("elevations", "${elevations.size} of them", "at most $MOST")
         if (azimuths !in 1..MOST) throw wrong("azimuths", azimuths, "in 1..$MOST")
         if (!(scanPath >= -2 * HALF && scanPath <= 2 * HALF)) throw wrong("scanPath", scanPath, "in -360..360 degrees")

@@ -122,11 +122,25 @@ class OccultationPartsTest {
             of(OccultationOptions(footprint = Footprint.disc(41.0)))
         }
         assertFalse(Files.exists(path.resolve("report.html")))
-        refused("elevations: is 0.0; it must be in (0, 90] degrees") { OccultationOptions(doubleArrayOf(30.0, 0.0)) }
+        refused("elevations: is 0.0; it must be in 0.1..90 degrees") { OccultationOptions(doubleArrayOf(30.0, 0.0)) }
         refused("elevations: is 91.0") { OccultationOptions(doubleArrayOf(91.0)) }
         refused("azimuths: is 0; it must be in 1..180") { OccultationOptions(azimuths = 0) }
         refused("scanPath: is NaN; it must be in -360..360 degrees") { OccultationOptions(scanPath = Double.NaN) }
         refused("photons: is -1.0; it must be in (0,") { OccultationOptions(photons = -1.0) }
+    }
+
+    @Test
+    fun `where nothing comes through along any line there is nothing to compare`() {
+        val path = run("opaque")
+        val seen = directory.resolve("low.csv")
+        Files.writeString(seen, "elevation,azimuth,optical_depth,error\n1,30,0.5,0.1\n")
+        val options = OccultationOptions(observed = ObservedDepths.read(seen))
+        Analysis(AnalysisInput.ofRun(path), AnalysisOptions(from = 0.0, occultation = options)).write(path)
+        val html = Files.readString(path.resolve("report.html"))
+        assertTrue("there is nothing to compare" in html && "χ² against" !in html)
+        val compared = table(path, "occultation-observed")
+        // The way to radians and back would give 29.999999999999996.
+        assertEquals("30.0", compared.getValue("azimuth [degrees]").single())
     }
 
     @Test
