@@ -36,16 +36,13 @@ public class MeshGravity @JvmOverloads constructor(
     private var loop: RangeLoop = InlineLoop
     private val cells = MeshCells()
     private val sum = SphereSum()
-    private val seen = SeenPositions()
+    private val last = Accelerations()
     private var mesh: SheetMesh? = null
     private val meshes = ArrayList<SheetMesh>()
     private var weights = arrayOf<MeshWeights>()
     private var pulls = arrayOf<NearPulls>()
 
-    // From the last evaluation, by index in the population, as the positions in `seen`.
-    private var ax = DoubleArray(0)
-    private var ay = DoubleArray(0)
-    private var az = DoubleArray(0)
+    // From the last evaluation, by index in the population, as [last].
     private var stress = DoubleArray(0)
     private var potential = DoubleArray(0)
 
@@ -67,18 +64,12 @@ public class MeshGravity @JvmOverloads constructor(
 
     override fun kick(population: Population, time: Double, duration: Double) {
         evaluate(population, time)
-        loop.run(population.size) { _, from, to ->
-            for (k in from until to) {
-                population.vx[k] += ax[k] * duration
-                population.vy[k] += ay[k] * duration
-                population.vz[k] += az[k] * duration
-            }
-        }
+        last.kick(population, duration, loop)
     }
 
     override fun accelerations(population: Population, time: Double): Array<DoubleArray> {
         evaluate(population, time)
-        return arrayOf(ax, ay, az)
+        return arrayOf(last.x, last.y, last.z)
     }
 
     /** How far apart points of the mesh are for [population] along x or y, where they are further. Length. */
@@ -106,9 +97,8 @@ public class MeshGravity @JvmOverloads constructor(
     }
 
     private fun evaluate(population: Population, time: Double) {
-        if (seen.isSame(population, time)) return
-        // A failure from here on leaves parts of both.
-        seen.forget()
+        if (last.areOf(population, time)) return
+        last.begin(population.size)
         isMeasured = false
         makeRoom(population.size)
         if (population.size > 0) {
@@ -119,7 +109,7 @@ public class MeshGravity @JvmOverloads constructor(
             mesh.solve(loop, cells.offset)
             read(mesh)
         }
-        seen.keep(population, time)
+        last.keep(population, time)
     }
 
     private fun makeRoom(size: Int) {
@@ -129,11 +119,8 @@ public class MeshGravity @JvmOverloads constructor(
             weights = Array(loop.workers) { MeshWeights(cells) }
         }
         if (potential.size >= size) return
-        ax = DoubleArray(size)
-        ay = DoubleArray(size)
-        az = DoubleArray(size)
         stress = DoubleArray(size)
-        // Assigned last, since its length says how many spheres there is room for.
+        // Assigned last, as in Accelerations.
         potential = DoubleArray(size)
     }
 
@@ -169,6 +156,9 @@ public class MeshGravity @JvmOverloads constructor(
 
     private fun read(mesh: SheetMesh) {
         for (near in pulls) near.begin(mesh.points)
+        val ax = last.x
+        val ay = last.y
+        val az = last.z
         loop.run(cells.count, SPHERES) { worker, from, to ->
             val far = weights[worker]
             val near = pulls[worker]

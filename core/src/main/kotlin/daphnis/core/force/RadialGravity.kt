@@ -32,11 +32,12 @@ public class RadialGravity(
 ) : MutualGravity {
     private var loop: RangeLoop = InlineLoop
     private val sum = SphereSum()
-    private val seen = SeenPositions()
+
+    /** Along x; those along y and z stay 0. */
+    private val last = Accelerations()
 
     /** Whether there are more spheres than those of the population. */
     internal var partition: Partition = Partition.Whole
-    private val zero = SharedZeros()
     private val points: Int
     private val transform: BatchTransform
     private val corrections: DoubleArray
@@ -49,7 +50,6 @@ public class RadialGravity(
 
     /** Minus the potential at the points of the line. */
     private var line = DoubleArray(0)
-    private var ax = DoubleArray(0)
     private var potential = DoubleArray(0)
 
     init {
@@ -71,6 +71,7 @@ public class RadialGravity(
 
     override fun kick(population: Population, time: Double, duration: Double) {
         evaluate(population, time)
+        val ax = last.x
         loop.run(population.size) { _, from, to ->
             for (k in from until to) population.vx[k] += ax[k] * duration
         }
@@ -78,7 +79,7 @@ public class RadialGravity(
 
     override fun accelerations(population: Population, time: Double): Array<DoubleArray> {
         evaluate(population, time)
-        return arrayOf(ax, zero.of(population.size), zero.of(population.size))
+        return arrayOf(last.x, last.y, last.z)
     }
 
     /** 0: what pulls along x alone carries no y momentum. */
@@ -92,18 +93,14 @@ public class RadialGravity(
 
     private fun evaluate(population: Population, time: Double) {
         // Nodes have to agree on this, and spheres go from one to another.
-        if (partition === Partition.Whole && seen.isSame(population, time)) return
-        // A failure from here on leaves parts of both.
-        seen.forget()
-        if (potential.size < population.size) {
-            ax = DoubleArray(population.size)
-            potential = DoubleArray(population.size)
-        }
+        if (partition === Partition.Whole && last.areOf(population, time)) return
+        last.begin(population.size)
+        if (potential.size < population.size) potential = DoubleArray(population.size)
         if (masses.size < loop.workers) masses = Array(loop.workers) { LongArray(points) }
         spread(population)
         transformLine()
         read(population)
-        seen.keep(population, time)
+        last.keep(population, time)
     }
 
     private fun spread(p: Population) {
@@ -177,6 +174,7 @@ public class RadialGravity(
 
     private fun read(p: Population) {
         val perPoint = points / boundary.box.length(0)
+        val ax = last.x
         loop.run(p.size) { _, from, to ->
             val w = DoubleArray(CubicSpline.POINTS)
             val g = DoubleArray(CubicSpline.POINTS)
@@ -210,15 +208,5 @@ public class RadialGravity(
         @JvmStatic
         public fun fits(boundary: BoundaryConditions): Boolean =
             boundary.hasImages(0) && boundary.box.length(1).isFinite()
-    }
-}
-
-/** As many zeros as are asked for. */
-private class SharedZeros {
-    private var zeros = DoubleArray(0)
-
-    fun of(size: Int): DoubleArray {
-        if (zeros.size != size) zeros = DoubleArray(size)
-        return zeros
     }
 }

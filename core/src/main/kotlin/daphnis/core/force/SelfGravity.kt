@@ -39,13 +39,10 @@ public class SelfGravity @JvmOverloads constructor(
     private var walks = arrayOf<GravityWalk>()
 
     // From the last evaluation, by index in the population: accelerations, and the positions they were computed for.
-    private var ax = DoubleArray(0)
-    private var ay = DoubleArray(0)
-    private var az = DoubleArray(0)
     private var stress = DoubleArray(0)
     private var potential = DoubleArray(0)
     private val sum = SphereSum()
-    private val seen = SeenPositions()
+    private val last = Accelerations()
 
     init {
         require(constant >= 0 && constant.isFinite()) { "G is $constant; it must be at least 0" }
@@ -65,18 +62,12 @@ public class SelfGravity @JvmOverloads constructor(
 
     override fun kick(population: Population, time: Double, duration: Double) {
         evaluate(population, time)
-        loop.run(population.size) { _, from, to ->
-            for (k in from until to) {
-                population.vx[k] += ax[k] * duration
-                population.vy[k] += ay[k] * duration
-                population.vz[k] += az[k] * duration
-            }
-        }
+        last.kick(population, duration, loop)
     }
 
     override fun accelerations(population: Population, time: Double): Array<DoubleArray> {
         evaluate(population, time)
-        return arrayOf(ax, ay, az)
+        return arrayOf(last.x, last.y, last.z)
     }
 
     override fun stressXY(population: Population, time: Double): Double {
@@ -95,16 +86,11 @@ public class SelfGravity @JvmOverloads constructor(
     }
 
     private fun evaluate(population: Population, time: Double) {
-        if (seen.isSame(population, time)) return
-        // A failure from here on leaves parts of both.
-        seen.forget()
+        if (last.areOf(population, time)) return
+        last.begin(population.size)
         if (potential.size < population.size) {
-            ax = DoubleArray(population.size)
-            ay = DoubleArray(population.size)
-            az = DoubleArray(population.size)
             stress = DoubleArray(population.size)
-            // Assigned last, since its length says how many spheres there is room for: an allocation before it may have
-            // failed.
+            // Assigned last, as in Accelerations.
             potential = DoubleArray(population.size)
         }
         tree.build(population)
@@ -122,10 +108,10 @@ public class SelfGravity @JvmOverloads constructor(
                         periodicImages.shift(code, 2),
                     )
                 }
-                walk.sum(constant, ax, ay, az, stress, potential)
+                walk.sum(constant, last.x, last.y, last.z, stress, potential)
             }
         }
-        seen.keep(population, time)
+        last.keep(population, time)
     }
 
     public companion object {

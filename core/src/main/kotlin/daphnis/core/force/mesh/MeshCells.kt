@@ -24,6 +24,8 @@ internal class MeshCells {
     var start = IntArray(0)
         private set
     private var cell = IntArray(0)
+    private var px = 0.0
+    private var py = 0.0
 
     /** How far along y the image at +L_x is displaced. */
     var offset = 0.0
@@ -39,11 +41,7 @@ internal class MeshCells {
         makeRoom(p.size, points.nx * points.ny)
         start.fill(0)
         for (k in 0 until p.size) {
-            var px = p.x[k] - lowerX
-            val around = floor(px / points.lx)
-            px -= around * points.lx
-            var py = p.y[k] - lowerY - around * offset
-            py -= floor(py / points.ly) * points.ly
+            locate(p, k, points, lowerX, lowerY)
             val c = column(px, points) * points.ny + row(py, points)
             cell[k] = c
             start[c]++
@@ -52,6 +50,15 @@ internal class MeshCells {
         for (c in 1 until start.size) start[c] += start[c - 1]
         for (k in p.size - 1 downTo 0) order[--start[cell[k]]] = k
         finish(p, points, lowerX, lowerY)
+    }
+
+    /** Sets [px] and [py] to where the sphere at index [k], or an image of it, is in the box. */
+    private fun locate(p: Population, k: Int, points: MeshPoints, lowerX: Double, lowerY: Double) {
+        px = p.x[k] - lowerX
+        val around = floor(px / points.lx)
+        px -= around * points.lx
+        py = p.y[k] - lowerY - around * offset
+        py -= floor(py / points.ly) * points.ly
     }
 
     private fun makeRoom(spheres: Int, cells: Int) {
@@ -78,11 +85,7 @@ internal class MeshCells {
         }
         for (place in 0 until p.size) {
             val k = order[place]
-            var px = p.x[k] - lowerX
-            val around = floor(px / points.lx)
-            px -= around * points.lx
-            var py = p.y[k] - lowerY - around * offset
-            py -= floor(py / points.ly) * points.ly
+            locate(p, k, points, lowerX, lowerY)
             x[place] = px
             y[place] = py
             z[place] = p.z[k]

@@ -40,15 +40,9 @@ internal class SheetMesh(val points: MeshPoints) {
 
     /** Replaces masses by potentials; the image at +L_x is displaced by [offset] along y. */
     fun solve(loop: RangeLoop, offset: Double) {
-        prepare(loop)
         val slide = slide(offset)
-        loop.run(nx, COLUMNS) { worker, from, to -> forEachGroup(from, to) { a, b -> rows(worker, a, b, slide, true) } }
-        loop.run(ny / 2 + 1, WAVES) { worker, from, to ->
-            for (j in from until to) waves(worker, j, slide, false)
-        }
-        loop.run(nx, COLUMNS) { worker, from, to ->
-            forEachGroup(from, to) { a, b -> rows(worker, a, b, slide, false) }
-        }
+        waves(loop, slide, false)
+        rows(loop, slide, false)
     }
 
     /**
@@ -56,13 +50,23 @@ internal class SheetMesh(val points: MeshPoints) {
      * of use in [values].
      */
     fun stress(loop: RangeLoop, offset: Double): Double {
-        prepare(loop)
-        val slide = slide(offset)
-        loop.run(nx, COLUMNS) { worker, from, to -> forEachGroup(from, to) { a, b -> rows(worker, a, b, slide, true) } }
-        loop.run(ny / 2 + 1, WAVES) { worker, from, to ->
-            for (j in from until to) waves(worker, j, slide, true)
-        }
+        waves(loop, slide(offset), true)
         return stresses.sum()
+    }
+
+    /** Transforms masses, and multiplies their waves by the kernel, or takes the stress of each. */
+    private fun waves(loop: RangeLoop, slide: Double, isStress: Boolean) {
+        prepare(loop)
+        rows(loop, slide, true)
+        loop.run(ny / 2 + 1, WAVES) { worker, from, to ->
+            for (j in from until to) waves(worker, j, slide, isStress)
+        }
+    }
+
+    private fun rows(loop: RangeLoop, slide: Double, there: Boolean) {
+        loop.run(nx, COLUMNS) { worker, from, to ->
+            forEachGroup(from, to) { a, b -> rows(worker, a, b, slide, there) }
+        }
     }
 
     private fun prepare(loop: RangeLoop) {
