@@ -171,4 +171,14 @@ class PeriodicOutputsTest {
             }
         }
     }
+
+    @Test
+    fun `a resume may not change how many modes there are`() {
+        val path = home.resolve("modes")
+        startIn(path, tableScenario("output.modes=7"), force = true).toStep(4)
+        val edited = ScenarioJson.read(path.resolve("scenario.json"), listOf("output.modes=9"))
+        Files.writeString(path.resolve("scenario.json"), ScenarioJson.write(edited))
+        val e = assertThrows(InputException::class.java) { Run.resume(path).close() }
+        assertTrue("output.modes" in e.message.orEmpty()) { e.message }
+    }
 }
