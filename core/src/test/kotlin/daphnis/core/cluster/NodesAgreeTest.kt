@@ -60,7 +60,8 @@ class NodesAgreeTest {
         "ring-patch",
         3,
         "untilOrbits=0.2",
-        """particles.sizes={"type":"power-law","minimum":0.7,"maximum":2,"exponent":3}""",
+        // One node has the heaviest sphere, by which all of them round.
+        """bodies=[{"radius":5,"density":900,"position":[9,0,0]}]""",
         """forces=[{"type":"self-gravity","method":"radial-modes","modes":20}]""",
     )
 
