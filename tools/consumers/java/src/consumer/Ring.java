@@ -14,13 +14,13 @@ import java.util.Arrays;
 class Ring {
     public static void main(String[] args) {
         var setup = ScenarioSetup.of(BuiltIn.scenario("ring-patch"), "ring-patch");
-        double omega = setup.getAngularSpeed();
+        var frequencies = setup.getFrequencies();
         var collisions = new CollisionForcing(setup.getRestitution(), setup.getGuard());
         var simulation = new Simulation(
             setup.getPopulation(), setup.getBoundary(), collisions, setup.getTimeStep(), setup.getForces());
         try (simulation) {
             for (int step = 0; step < 6; step++) simulation.advance();
-            var lines = Streamlines.of(State.of(simulation, omega), 4, 5, RadialKey.GUIDING_CENTRE);
+            var lines = Streamlines.of(State.of(simulation, frequencies), 4, 5, RadialKey.GUIDING_CENTRE);
             int count = Arrays.stream(lines.getCount()).sum();
             System.out.println(count + " of " + simulation.getPopulation().getSize() + " spheres on streamlines");
             System.out.println(Digest.stateDigest(simulation.getPopulation()));

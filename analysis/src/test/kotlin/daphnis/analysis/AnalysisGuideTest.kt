@@ -51,7 +51,7 @@ class AnalysisGuideTest {
         assertEquals(6, averages.size)
 
         // example: analysis
-        val state = State.of(simulation, frame.frequencies) // or State(population, boundary, time, omega)
+        val state = State.of(simulation, frame.frequencies) // or State(population, boundary, time, frame.frequencies)
         val order = RadialOrder().sort(state, RadialKey.X) // order.order[rank] is an index; no sphere is moved
         val lines = Streamlines.of(state, slabs = 4, groups = 5, RadialKey.GUIDING_CENTRE)
         val crossing = lines.q.count { it >= 1 }
