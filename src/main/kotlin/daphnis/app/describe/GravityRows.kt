@@ -10,6 +10,7 @@ import daphnis.core.scenario.FrameSetup
 import daphnis.core.scenario.FrameSpec
 import daphnis.core.scenario.GravityMethod
 import daphnis.core.scenario.ScenarioSetup
+import daphnis.core.scenario.ThermostatSpec
 import kotlin.math.sqrt
 
 /**
@@ -33,7 +34,7 @@ internal class GravityRows(private val setup: ScenarioSetup, private val say: Qu
         is ForceSpec.SelfGravity -> force.constant
         is ForceSpec.BodyGravity -> force.constant
         is ForceSpec.Satellite -> force.constant
-        is ForceSpec.UniformAcceleration -> null
+        is ForceSpec.UniformAcceleration, is ThermostatSpec -> null
     }
 
     private fun force(k: Int, force: ForceSpec) {
@@ -43,6 +44,7 @@ internal class GravityRows(private val setup: ScenarioSetup, private val say: Qu
             is ForceSpec.SelfGravity -> selfGravity(force)
             is ForceSpec.BodyGravity -> "body-gravity, softening ${say.length(force.softening)}"
             is ForceSpec.Satellite -> satellite(force)
+            is ThermostatSpec -> force.inWords(say)
         }
         rows.add("forces", "[$k] $text")
     }

@@ -77,6 +77,16 @@ internal class Quantities(scenario: ScenarioParts) {
         number(value * si.metres / (si.seconds * si.seconds)) + " m/s2"
     }
 
+    /** Of a square of a speed, per unit of time. */
+    fun heating(value: Double): String = if (si == null) {
+        plain(value, "units of speed^2 per unit of time")
+    } else {
+        number(value * si.metres * si.metres / (si.seconds * si.seconds * si.seconds)) + " m2/s3"
+    }
+
+    fun rate(value: Double): String =
+        if (si == null) "${number(value)} per unit of time" else number(value / si.seconds) + " per s"
+
     /** One unit of time; it follows from length and speed, so a scenario does not state it. */
     fun unitOfTime(): String? = si?.let { "${number(it.seconds)} s" }
 

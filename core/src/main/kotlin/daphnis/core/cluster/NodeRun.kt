@@ -12,6 +12,7 @@ import daphnis.core.TimeStep
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.force.BodyGravity
 import daphnis.core.force.RadialGravity
+import daphnis.core.force.thermostat.Thermostat
 import daphnis.core.measure
 import daphnis.core.parallel.FixedPool
 import daphnis.core.parallel.RangeLoop
@@ -40,6 +41,7 @@ internal class NodeRun(private val mail: Mail, private val threads: Int) {
         for (force in setup.forces) {
             if (force is BodyGravity) force.partition = NodePartition(turns)
             if (force is RadialGravity) force.partition = NodePartition(turns)
+            if (force is Thermostat) force.partition = NodePartition(turns)
         }
         NodeEngine(turns, begin.threads, FixedPool(threads)).use {
             engine = it

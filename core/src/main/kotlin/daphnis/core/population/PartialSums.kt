@@ -47,6 +47,9 @@ internal class PartialSums(count: Int, private val add: PartialTerms) {
         for (k in sums.indices) sums[k].add(other.sums[k])
     }
 
+    /** Makes these the sums over all parts of [partition], each of which does so. */
+    fun mergeAll(partition: Partition) = partition.merge(sums)
+
     /** Bytes of the longest that are written. */
     val mostBytes: Int get() = count * ExactSum.MOST_BYTES
 

@@ -26,30 +26,33 @@ internal class ForceSetup(
         check.must("forces[${mutual.getOrNull(1)}]", mutual.size < 2) {
             "is self-gravity of all spheres, as forces[${mutual[0]}] is; one is enough"
         }
-        val forces = scenario.forces.mapIndexed { k, spec -> force(spec, "forces[$k]", firstBody) }
+        val forces = scenario.forces.mapIndexed { k, spec -> force(spec, k, firstBody) }
         return if (frequencies == null) forces else forces + HillFrame(frequencies)
     }
 
-    private fun force(spec: ForceSpec, key: String, firstBody: Int): Force = when (spec) {
-        is ForceSpec.UniformAcceleration -> {
-            val a = spec.acceleration
-            check.that("$key.acceleration", a, a.size == 3) { "must be three numbers" }
-            UniformAcceleration(a[0], a[1], a[2])
+    private fun force(spec: ForceSpec, place: Int, firstBody: Int): Force {
+        val key = "forces[$place]"
+        return when (spec) {
+            is ForceSpec.UniformAcceleration -> uniformAcceleration(spec, key)
+            is ForceSpec.Satellite -> satellite(spec, key)
+            is ForceSpec.SelfGravity ->
+                SelfGravitySetup(boundary, check).force(spec, key) { constant(spec.constant, key) }
+            is ForceSpec.BodyGravity -> bodyGravity(spec, key, firstBody)
+            is ThermostatSpec -> ThermostatSetup(scenario.seed, boundary, firstBody, check).force(spec, place)
         }
-        is ForceSpec.Satellite -> satellite(spec, key)
-        is ForceSpec.SelfGravity -> SelfGravitySetup(boundary, check).force(spec, key) { constant(spec.constant, key) }
-        is ForceSpec.BodyGravity -> {
-            check.must(key, scenario.bodies.isNotEmpty()) { "is body-gravity; it needs bodies" }
-            check.that("$key.softening", spec.softening, spec.softening >= 0) { "must be at least 0" }
-            BodyGravity(
-                IntArray(scenario.bodies.size) {
-                    firstBody + it
-                },
-                boundary,
-                constant(spec.constant, key),
-                spec.softening,
-            )
-        }
+    }
+
+    private fun uniformAcceleration(spec: ForceSpec.UniformAcceleration, key: String): Force {
+        val a = spec.acceleration
+        check.that("$key.acceleration", a, a.size == 3) { "must be three numbers" }
+        return UniformAcceleration(a[0], a[1], a[2])
+    }
+
+    private fun bodyGravity(spec: ForceSpec.BodyGravity, key: String, firstBody: Int): Force {
+        check.must(key, scenario.bodies.isNotEmpty()) { "is body-gravity; it needs bodies" }
+        check.that("$key.softening", spec.softening, spec.softening >= 0) { "must be at least 0" }
+        val ids = IntArray(scenario.bodies.size) { firstBody + it }
+        return BodyGravity(ids, boundary, constant(spec.constant, key), spec.softening)
     }
 
     private fun constant(given: Double?, key: String): Double {

@@ -16,7 +16,7 @@ private fun pull(setup: ScenarioSetup, force: ForceSpec): Pull? {
     val p = setup.population
     val particles = (0 until p.size).filter { !scenario.isBody(p.id[it]) }
     return when (force) {
-        is ForceSpec.UniformAcceleration -> null
+        is ForceSpec.UniformAcceleration, is ThermostatSpec -> null
         is ForceSpec.SelfGravity -> {
             // Waves along x do not see two spheres.
             if (force.method == GravityMethod.RADIAL_MODES) return null

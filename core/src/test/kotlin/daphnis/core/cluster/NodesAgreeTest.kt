@@ -66,6 +66,16 @@ class NodesAgreeTest {
     )
 
     @Test
+    fun `thermostats, whose momentum and heat all nodes sum up together`() = assertSame(
+        "cooling-gas",
+        3,
+        "until=3",
+        """forces=[{"type":"white-noise","intensity":0.2,"conserveMomentum":true},
+        {"type":"andersen","rate":0.3,"temperature":1},{"type":"rescaling","temperature":0.7,"time":2}]""",
+        """timeStep={"type":"fixed","dt":0.1}""",
+    )
+
+    @Test
     fun `the wake of a satellite`() = assertSame("satellite-wake", 2, "untilOrbits=0.2")
 
     @Test

@@ -17,6 +17,9 @@ import daphnis.core.collision.FloorSpeedGuard
 import daphnis.core.collision.NoGuard
 import daphnis.core.force.Force
 import daphnis.core.force.SelfGravity
+import daphnis.core.force.thermostat.Andersen
+import daphnis.core.force.thermostat.Rescaling
+import daphnis.core.force.thermostat.WhiteNoise
 import daphnis.core.hill.Epicycle
 import daphnis.core.hill.HillFrame
 import daphnis.core.hill.HillSheet
@@ -163,9 +166,10 @@ class Draw(override val seed: Long) : Case {
 
     /**
      * In the sheet: Hill's frame, a moon beside it, and in some gravity, whose sums engines spread over their threads.
+     * Elsewhere some have a thermostat.
      */
     private fun forces(): List<Force> {
-        if (boundary !is HillSheet || dt * omega > 1) return emptyList()
+        if (boundary !is HillSheet || dt * omega > 1) return thermostats()
         val moon = Satellite(omega * omega * 10, Epicycle(2 * box.upperX, 0.0, 0.5, 1.0), orbits, softening = 0.5)
         val frame = HillFrame(orbits)
         return if (seed % 3 == 0L) {
@@ -173,6 +177,13 @@ class Draw(override val seed: Long) : Case {
         } else {
             listOf(moon, frame)
         }
+    }
+
+    private fun thermostats(): List<Force> = when (seed % 8) {
+        1L -> listOf(WhiteNoise(seed, 0.2, 0.3, conservesMomentum = true, flow = boundary.meanFlow))
+        3L -> listOf(Andersen(seed, 0.5, 1.0, flow = boundary.meanFlow), WhiteNoise(-seed, 0.1))
+        5L -> listOf(Rescaling(1.0, dt, boundary.meanFlow))
+        else -> emptyList()
     }
 
     override fun threads(): Int = 1 + random.nextInt(8)

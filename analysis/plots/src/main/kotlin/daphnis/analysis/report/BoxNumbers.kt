@@ -39,6 +39,7 @@ internal class BoxNumbers(private val study: Study) {
         val scenario = study.physics ?: return emptyMap()
         val (last, filling) = study.last to bulk.fillingFactor
         return References.ofElastic(scenario, last, filling, motion.temperature.mean, bulk.numberDensity) +
+            References.ofHeated(scenario, last, bulk.numberDensity) +
             References.ofShear(scenario, last, filling)
     }
 

@@ -2,6 +2,7 @@ package daphnis.analysis.report
 
 import daphnis.core.scenario.ForceSpec
 import daphnis.core.scenario.Scenario
+import daphnis.core.scenario.ThermostatSpec
 
 /** G in the units of a scenario. */
 internal object GravityConstant {
@@ -10,7 +11,7 @@ internal object GravityConstant {
         when (it) {
             is ForceSpec.BodyGravity -> it.constant
             is ForceSpec.SelfGravity -> it.constant
-            is ForceSpec.Satellite, is ForceSpec.UniformAcceleration -> null
+            is ForceSpec.Satellite, is ForceSpec.UniformAcceleration, is ThermostatSpec -> null
         }
     } ?: scenario.units.gravitationalConstant
 }

@@ -2,10 +2,13 @@ package daphnis.analysis.report
 
 import daphnis.analysis.insitu.State
 import daphnis.core.orbit.OrbitalFrequencies
+import daphnis.analysis.theory.HeatedGas
 import daphnis.core.scenario.BoundarySpec
+import daphnis.core.scenario.ForceSpec
 import daphnis.core.scenario.GuardSpec
 import daphnis.core.scenario.RestitutionSpec
 import daphnis.core.scenario.Scenario
+import daphnis.core.scenario.ThermostatSpec
 import kotlin.math.PI
 import kotlin.math.abs
 import kotlin.math.hypot
@@ -125,8 +128,26 @@ internal object References {
         )
     }
 
-    /** Whether equal spheres meet each other and nothing else: no force, no body, no guard that is felt. */
-    private fun isPlain(scenario: Scenario, last: State): Boolean = scenario.forces.isEmpty() &&
+    /** Temperature and a₂ of a gas that white noise heats, van Noije & Ernst 1998. */
+    fun ofHeated(scenario: Scenario, last: State, numberDensity: Double): Map<String, Reference> {
+        val law = scenario.restitution as? RestitutionSpec.Constant ?: return emptyMap()
+        val noise = scenario.forces.singleOrNull() as? ThermostatSpec.WhiteNoise ?: return emptyMap()
+        val isPeriodic = scenario.boundary is BoundarySpec.Periodic && (0..2).all { last.boundary.repeats(it) }
+        if (!isPeriodic || scenario.frame != null || law.coefficient < LEAST_HEATED) return emptyMap()
+        if (!isPlain(scenario, last, noise)) return emptyMap()
+        val intensity = noise.intensity ?: (2 * noise.drag * noise.temperature!! / last.population.mass[0])
+        val diameter = 2 * last.population.radius[0]
+        val t = HeatedGas.temperature(intensity, noise.drag, law.coefficient, numberDensity, diameter)
+        if (!(t > 0 && t.isFinite())) return emptyMap()
+        val temperature = mapOf("granular_temperature" to Reference(t, HEATED_BOUND / 3 * t, NOIJE))
+        if (noise.drag > 0) return temperature
+        val a2 = HeatedGas.fourthCumulant(law.coefficient)
+        return temperature + ("velocity_a2" to Reference(a2, CUMULANT_BOUND / 3, NOIJE))
+    }
+
+    /** Whether equal spheres meet each other and nothing else: no force but [heated], no body, no guard that is felt. */
+    private fun isPlain(scenario: Scenario, last: State, heated: ForceSpec? = null): Boolean =
+        scenario.forces == listOfNotNull(heated) &&
         scenario.contacts.isEmpty() &&
         ElasticGas.isSmooth(scenario) &&
         scenario.bodies.isEmpty() &&
@@ -151,6 +172,12 @@ internal object References {
 
     /** Floor speed of a guard, in rms speeds, that nothing measured depends on. */
     private const val FELT = 1e-4
+    private const val NOIJE = "van Noije & Ernst 1998"
+    private const val LEAST_HEATED = 0.6
+
+    /** What Enskog's rate leaves out in an inelastic gas, relative, and what the first order does of a₂. */
+    private const val HEATED_BOUND = 0.02
+    private const val CUMULANT_BOUND = 0.002
     private const val CARNAHAN = "Carnahan & Starling 1969"
     private const val STATE_BOUND = 0.005
 }

@@ -1,0 +1,58 @@
+package daphnis.core.force.thermostat
+
+import daphnis.core.boundary.BoundaryConditions
+import daphnis.core.force.Force
+import daphnis.core.parallel.InlineLoop
+import daphnis.core.parallel.RangeLoop
+import daphnis.core.population.MeanFlow
+import daphnis.core.population.Partition
+import daphnis.core.population.Population
+import daphnis.core.random.CounterRandom
+
+/**
+ * What heats and cools spheres from outside. It acts for half of each step before the drift and for half after it. The
+ * numbers that it draws are functions of its seed, the id of a sphere and the time ([CounterRandom]), and its sums are
+ * exact, so the state has the same bits with any engine, order of spheres, number of threads or machines, and after a
+ * resume. It acts on velocities relative to [flow], and not on spins. It has no potential energy.
+ */
+public sealed class Thermostat : Force {
+    /** The mean flow that the boundary drives, to which velocities are relative; null when there is none. */
+    protected abstract val flow: MeanFlow?
+
+    /** Spheres with this id or a higher one are left alone, such as moonlets. */
+    protected abstract val firstBody: Int
+
+    protected var loop: RangeLoop = InlineLoop
+        private set
+
+    /** Whether there are more spheres than those of the population. */
+    internal var partition: Partition = Partition.Whole
+
+    override fun useLoop(loop: RangeLoop) {
+        this.loop = loop
+    }
+
+    override fun beforeDrift(population: Population, start: Double, duration: Double): Unit =
+        act(population, start, duration / 2, FIRST_HALF)
+
+    override fun afterDrift(population: Population, end: Double, duration: Double): Unit =
+        act(population, end, duration / 2, SECOND_HALF)
+
+    /** Acts for [duration] at [time]; [half] tells the end of a step from the start of the next at the same time. */
+    internal abstract fun act(population: Population, time: Double, duration: Double, half: Int)
+
+    override fun potentialEnergy(population: Population, boundary: BoundaryConditions, time: Double): Double = 0.0
+
+    internal fun isBody(id: Int): Boolean = id >= firstBody && firstBody != Int.MAX_VALUE
+
+    /** Velocity of [flow] along [axis] where the sphere at index [k] is. */
+    internal fun flowAt(population: Population, k: Int, axis: Int): Double {
+        val flow = flow ?: return 0.0
+        return if (axis == flow.flowAxis) flow.rate * population.position(flow.normalAxis)[k] else 0.0
+    }
+
+    internal companion object {
+        const val FIRST_HALF = 0
+        const val SECOND_HALF = 1
+    }
+}
