@@ -89,6 +89,7 @@ class GoldenDigestTest {
             "paper-figure-1",
             "elastic-gas",
             "cooling-gas",
+            "driven-gas",
             "rough-gas",
             "mixture",
             "shear-cell",
