@@ -35,7 +35,7 @@ class BruteForceEngine : CollisionEngine {
         step.record?.clear()
         rows.load(step.population, IntArray(n) { it }, step.duration, step.law.guard.needsLastCollision)
         images.prepare(step.boundary, step.start)
-        walls.prepare(step.boundary, step.law)
+        walls.prepare(step.boundary, step.law, step.start, step.duration)
         codes = imageCodes(step.population, step.boundary, step.duration)
         queue.reset(step.duration, rows.id, n)
         for (a in 0 until n) {
