@@ -176,12 +176,26 @@ public sealed class WallMotion {
     }
 }
 
+/** Whether any wall moves or is thermal. */
+internal val BoundaryConditions.hasDrivenWalls: Boolean
+    get() = hasMovingWalls || (0 until 2 * AXES).any { wallTemperature(it) != null }
+
+/** Whether any wall moves. */
+internal val BoundaryConditions.hasMovingWalls: Boolean get() = (0 until 2 * AXES).any { wallMotion(it) != null }
+
 /** The box whose faces are where the walls of this boundary are at [time]. */
 internal fun BoundaryConditions.roomAt(time: Double): Box {
-    if ((0 until 2 * AXES).all { wallMotion(it) == null }) return box
+    if (!hasMovingWalls) return box
     fun face(face: Int): Double {
         val at = if (face and 1 == 0) box.lower(face shr 1) else box.upper(face shr 1)
         return at + (wallMotion(face)?.displacement(time) ?: 0.0)
     }
     return Box(face(0), face(2), face(4), face(1), face(3), face(5))
+}
+
+/** The least distance of the walls across [axis] in the time [from] until [to], or less. */
+internal fun BoundaryConditions.leastRoom(axis: Int, from: Double, to: Double): Double {
+    val lower = wallMotion(2 * axis)?.let { it.highest(it.phase(from), to - from) } ?: 0.0
+    val upper = wallMotion(2 * axis + 1)?.let { it.lowest(it.phase(from), to - from) } ?: 0.0
+    return (box.upper(axis) + upper) - (box.lower(axis) + lower)
 }

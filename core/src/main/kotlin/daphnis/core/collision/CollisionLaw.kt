@@ -49,6 +49,8 @@ public class CollisionLaw @JvmOverloads constructor(
         }
     }
 
+    internal val hasAcceleration: Boolean = acceleration.any { it != 0.0 }
+
     /** The acceleration of all spheres along [axis]. */
     internal fun acceleration(axis: Int): Double = acceleration[axis]
 

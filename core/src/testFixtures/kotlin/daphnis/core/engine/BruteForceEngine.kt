@@ -50,6 +50,7 @@ class BruteForceEngine : CollisionEngine {
             if (b < 0) {
                 walls.reflect(rows, a, WallContact.face(b), time, outcome)
                 step.counters.wallCollisions++
+                if (walls.areDriven) step.record?.add(time, b, rows.id[a], outcome)
             } else {
                 queue.removeAllOf(b)
                 if (step.law.collide(rows, a, b, queue.image, images, time, outcome)) {
