@@ -19,11 +19,7 @@ import kotlin.math.sqrt
  *
  * Everything is a pure function of the sphere's row and the step.
  */
-internal class MovingFace(
-    private val isLower: Boolean,
-    private val motion: WallMotion?,
-    private val gravity: Double,
-) {
+internal class MovingFace(private val isLower: Boolean, private val motion: WallMotion?, private val gravity: Double) {
     /** 1 where the room is above the wall, −1 where it is below. */
     private val inward = if (isLower) 1.0 else -1.0
     private var place = 0.0

@@ -182,7 +182,13 @@ public class WallContact {
         val axis = face shr 1
         val inward = if (face and 1 == 0) 1.0 else -1.0
         val mass = rows.mass[slot]
-        val before = if (axis == 0) vx else if (axis == 1) vy else vz
+        val before = if (axis == 0) {
+            vx
+        } else if (axis == 1) {
+            vy
+        } else {
+            vz
+        }
         outcome.impulse = mass * inward * (state[v + axis] - before)
         outcome.coefficient = if (outcome.impactSpeed > 0.0) outcome.impulse / mass / outcome.impactSpeed - 1.0 else 1.0
         val reach = inward * state[slot * STRIDE + RADIUS]

@@ -74,7 +74,10 @@ public sealed interface BoundarySpec {
             val own = faces?.faces(axes, check) ?: emptyList()
             for (face in own.indices) {
                 val isRough = surfaces.getOrNull(face) != null
-                check.must("${WallFacesSpec.KEY}.${WallFacesSpec.NAMES[face]}", own[face]?.temperature == null || !isRough) {
+                check.must(
+                    "${WallFacesSpec.KEY}.${WallFacesSpec.NAMES[face]}",
+                    own[face]?.temperature == null || !isRough,
+                ) {
                     "has a temperature; a thermal wall cannot be rough"
                 }
             }
@@ -84,7 +87,7 @@ public sealed interface BoundarySpec {
         override fun inWords(number: DoubleFunction<String>, speed: DoubleFunction<String>): String =
             "walls across $axes, restitution ${number.apply(restitution)}, " +
                 "surfaces ${roughness?.inWords(axes, number) ?: "smooth"}" +
-                (faces?.let { ", ${it.inWords(number)}" } ?: "")
+                faces?.inWords(number).orEmpty()
 
         override fun toString(): String = "walls with axes $axes"
     }

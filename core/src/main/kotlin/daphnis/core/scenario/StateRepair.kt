@@ -22,6 +22,7 @@ internal class StateRepair(
     private val notices: MutableList<String>,
 ) {
     private val box = boundary.roomAt(scenario.startTime)
+
     /** The population of [snapshot], with what it takes. */
     fun repaired(snapshot: Snapshot): Population {
         val population = snapshot.population()

@@ -121,9 +121,11 @@ public class WallFacesSpec @JvmOverloads constructor(
 ) {
     private val named: List<WallFaceSpec?> get() = listOf(lowerX, upperX, lowerY, upperY, lowerZ, upperZ)
 
-    /** The faces for a reader, such as `lowerZ sine of amplitude 1, frequency 2`. */
-    internal fun inWords(number: DoubleFunction<String>): String =
-        named.mapIndexedNotNull { face, spec -> spec?.let { "${NAMES[face]} ${it.inWords(number)}" } }.joinToString("; ")
+    /** The faces for a reader, such as `, lowerZ sine of amplitude 1, frequency 2`. */
+    internal fun inWords(number: DoubleFunction<String>): String {
+        val told = named.mapIndexedNotNull { face, spec -> spec?.let { "${NAMES[face]} ${it.inWords(number)}" } }
+        return if (told.isEmpty()) "" else told.joinToString("; ", prefix = ", ")
+    }
 
     /** Of the faces −x, +x, −y, +y, −z, +z; those across [axes] are walls. */
     internal fun faces(axes: String, check: ValueCheck): List<WallFace?> = named.mapIndexed { face, spec ->

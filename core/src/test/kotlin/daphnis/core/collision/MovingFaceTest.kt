@@ -40,8 +40,7 @@ class MovingFaceTest {
         }
 
         /** Written down anew, from the motion as users see it. */
-        fun wall(t: Double) =
-            place + (motion?.displacement(start + t) ?: 0.0) + gravity / 2 * t * (duration - t)
+        fun wall(t: Double) = place + (motion?.displacement(start + t) ?: 0.0) + gravity / 2 * t * (duration - t)
 
         fun gap(t: Double) = inward * (x + v * (t - from) - wall(t)) - r
     }
@@ -52,7 +51,9 @@ class MovingFaceTest {
         for (seed in 0L until 6_000) {
             val c = Case(seed)
             val t = c.face.contact(c.x, c.v, c.r, c.from)
-            assertTrue(t >= c.from && (t == NEVER || t <= c.duration * (1 + 1e-12) || c.motion == null)) { "seed $seed" }
+            assertTrue(t >= c.from && (t == NEVER || t <= c.duration * (1 + 1e-12) || c.motion == null)) {
+                "seed $seed"
+            }
             val end = minOf(t, c.duration)
             for (k in 1 until MOMENTS) {
                 val gap = c.gap(c.from + (end - c.from) * k / MOMENTS)
