@@ -97,7 +97,7 @@ class GoldenDigestTest {
             "rough-ring",
         )
         val ODD = listOf(
-            "open-clump", "periodic-thin", "walls-gravity", "walls-lattice", "sheared-dense", "lees-edwards-sizes",
+            "open-clump", "periodic-thin", "walls-gravity", "walls-driven", "walls-lattice", "sheared-dense", "lees-edwards-sizes",
             "ring-gravity", "ring-mesh", "ring-waves", "moonlet-small", "ringlet-moon", "moons", "big-among-small",
         )
 

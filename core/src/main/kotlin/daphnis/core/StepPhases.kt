@@ -7,6 +7,7 @@ import daphnis.core.engine.CollisionForcing
 import daphnis.core.engine.EndsFinite
 import daphnis.core.force.Drift
 import daphnis.core.force.Force
+import daphnis.core.force.uniformAcceleration
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.parallel.forEachPiece
 import daphnis.core.population.Population
@@ -31,7 +32,10 @@ public class StepPhases(
     private val loop: RangeLoop,
 ) {
     init {
-        collisions?.turning = forces.firstNotNullOfOrNull { it as? Drift }?.turning ?: 0.0
+        val drift = forces.firstNotNullOfOrNull { it as? Drift }
+        collisions?.turning = drift?.turning ?: 0.0
+        // What a frame makes of paths is not a parabola: there the paths that walls meet are straight.
+        if (drift == null) collisions?.acceleration = uniformAcceleration(forces)
     }
 
     private val undo = StepUndo(population, collisions?.counters)

@@ -43,6 +43,21 @@ public interface BoundaryConditions {
     /** Coefficient of restitution of walls, in [0, 1]; used where [contactFaces] says [ContactFaces.WALL]. */
     public val wallRestitution: Double get() = 1.0
 
+    /** Coefficient of restitution of the wall at [face], numbered −x, +x, −y, +y, −z, +z from 0. */
+    public fun wallRestitution(face: Int): Double = wallRestitution
+
+    /** How the wall at [face] moves, or null where it rests. */
+    public fun wallMotion(face: Int): WallMotion? = null
+
+    /**
+     * Temperature of the wall at [face], mass · (length/time)², or null where it is not thermal. A sphere leaves a
+     * thermal wall as if it came from a gas of that temperature beyond it.
+     */
+    public fun wallTemperature(face: Int): Double? = null
+
+    /** Decides about all that thermal walls draw. */
+    public val wallSeed: Long get() = 0
+
     /**
      * Roughness of the wall at [face], numbered −x, +x, −y, +y, −z, +z from 0, or null where it is smooth; used where
      * [contactFaces] says [ContactFaces.WALL]. Spheres need spins where there is any.

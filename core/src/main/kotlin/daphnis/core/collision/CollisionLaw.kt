@@ -23,6 +23,8 @@ import kotlin.math.sqrt
  * @param roughness β in place of that of [law]; null for the law's own. Spins of smooth spheres stay
  * @property momentFactor moment of inertia of spheres over mass · radius²
  * @param turning angular speed about z of the axes in which spins are given: Ω in Hill's frame, else 0
+ * @param acceleration of all spheres along x, y, z, by forces that kick them before and after the drift: what walls
+ *   need to know of the true paths
  */
 public class CollisionLaw @JvmOverloads constructor(
     law: ContactLaw,
@@ -30,6 +32,7 @@ public class CollisionLaw @JvmOverloads constructor(
     roughness: Roughness? = null,
     public val momentFactor: Double = SurfaceContact.SOLID,
     turning: Double = 0.0,
+    private val acceleration: List<Double> = STILL,
 ) {
     /** Both coefficients. */
     public val contactLaw: ContactLaw = if (roughness == null) law else RoughContact(law, roughness)
@@ -45,6 +48,11 @@ public class CollisionLaw @JvmOverloads constructor(
             "the moment of inertia is $momentFactor m r²; the factor must be > 0 and at most 2/3, that of a hollow sphere"
         }
     }
+
+    internal val hasAcceleration: Boolean = acceleration.any { it != 0.0 }
+
+    /** The acceleration of all spheres along [axis]. */
+    internal fun acceleration(axis: Int): Double = acceleration[axis]
 
     /** For spheres and walls. */
     internal val spins = SpinExchange(momentFactor, turning)
@@ -237,6 +245,8 @@ public class CollisionLaw @JvmOverloads constructor(
         return outcome.separationX * ux + outcome.separationY * uy + outcome.separationZ * uz
     }
 }
+
+private val STILL = listOf(0.0, 0.0, 0.0)
 
 /** [CollisionLaw.momentFactor] of a sphere whose mass is all in its surface. */
 private const val HOLLOW = 2.0 / 3.0

@@ -8,8 +8,11 @@ import daphnis.core.growth.GrowingTable
  * comes after those that led to it: its [rank] is one more than that of any collision which one of its spheres had
  * before at that time. The order belongs to the trajectory, so it is the same for every engine.
  *
- * Wall collisions are not recorded. `separation` points from the sphere with the lower id to the one with the higher
- * id.
+ * `separation` points from the sphere with the lower id to the one with the higher id.
+ *
+ * Collisions with walls are recorded only where a wall moves or is thermal. Then [lower] is the partner number of the
+ * wall, which is negative ([WallContact.partner]), `separation` is the normal into the room times the radius, and
+ * [surfaceDissipation] is all the energy that the sphere lost, below 0 where the wall gave some.
  */
 public class CollisionRecord() : GrowingTable() {
     /** The collisions that came in a message: [data] has [WIDTH] numbers for each entry of the others. */
@@ -59,6 +62,9 @@ public class CollisionRecord() : GrowingTable() {
         higher = higher.copyOf(room)
         data = data.copyOf(room * WIDTH)
     }
+
+    /** Whether collision [k] is one with a wall. */
+    public fun isWall(k: Int): Boolean = lower[k] < 0
 
     public fun impactSpeed(k: Int): Double = data[k * WIDTH]
 

@@ -12,23 +12,37 @@ import kotlin.math.abs
 
 /**
  * Reflecting walls. A wall is a partner with a negative number, −1 − face; faces are numbered −x, +x, −y, +y, −z, +z
- * from 0, and in the order of events a wall counts as an id of that negative number.
+ * from 0, and in the order of events a wall counts as an id of that negative number. Walls that move, and those across a
+ * uniform acceleration, are [MovingFace]s.
  */
 @EngineApi
 public class WallContact {
     private val lower = DoubleArray(3)
     private val upper = DoubleArray(3)
     private val walled = BooleanArray(3)
-    private var restitution = 1.0
+    private val restitution = DoubleArray(FACES)
     private val roughness = arrayOfNulls<Roughness>(FACES)
-    private var spins: SpinExchange? = null
+    private val moving = arrayOfNulls<MovingFace>(FACES)
+    private val thermal = arrayOfNulls<ThermalWall>(FACES)
+    private val acceleration = DoubleArray(3)
+    private var duration = 0.0
+    private var boundary: BoundaryConditions? = null
+    private var law: CollisionLaw? = null
 
     /** Whether there is any wall. */
     public var present: Boolean = false
         private set
 
-    /** Takes over the walls of [boundary] for spheres whose collisions have a [law]. */
-    public fun prepare(boundary: BoundaryConditions, law: CollisionLaw) {
+    /** Whether any wall moves or is thermal. Then collisions with walls are recorded as well, see [CollisionRecord]. */
+    public var areDriven: Boolean = false
+        private set
+
+    /**
+     * Takes over the walls of [boundary] for spheres whose collisions have a [law], for a step of [duration] that begins
+     * at [start]; neither matters where walls rest and nothing falls.
+     */
+    @JvmOverloads
+    public fun prepare(boundary: BoundaryConditions, law: CollisionLaw, start: Double = 0.0, duration: Double = 0.0) {
         present = false
         for (axis in 0..2) {
             walled[axis] = boundary.contactFaces(axis) == ContactFaces.WALL
@@ -36,10 +50,32 @@ public class WallContact {
             upper[axis] = boundary.box.upper(axis)
             present = present || walled[axis]
         }
-        restitution = boundary.wallRestitution
-        for (face in 0 until FACES) roughness[face] = boundary.wallRoughness(face)
-        spins = law.spins
+        if (boundary !== this.boundary || law !== this.law) takeFaces(boundary, law)
+        this.duration = duration
+        for (face in 0 until FACES) {
+            moving[face]?.begin(faceOf(face), start, duration)
+            thermal[face]?.begin(start)
+        }
     }
+
+    private fun takeFaces(boundary: BoundaryConditions, law: CollisionLaw) {
+        areDriven = false
+        for (axis in 0..2) acceleration[axis] = law.acceleration(axis)
+        for (face in 0 until FACES) {
+            val axis = face shr 1
+            restitution[face] = boundary.wallRestitution(face)
+            roughness[face] = boundary.wallRoughness(face)
+            thermal[face] = boundary.wallTemperature(face)?.let { ThermalWall(face, it, boundary.wallSeed) }
+            val motion = boundary.wallMotion(face)
+            val rests = acceleration[axis] == 0.0 && motion == null
+            moving[face] = if (rests || !walled[axis]) null else MovingFace(face and 1 == 0, motion, acceleration[axis])
+            areDriven = areDriven || walled[axis] && (motion != null || thermal[face] != null)
+        }
+        this.boundary = boundary
+        this.law = law
+    }
+
+    private fun faceOf(face: Int) = if (face and 1 == 0) lower[face shr 1] else upper[face shr 1]
 
     /**
      * The time at which sphere [slot] reaches the wall [face], from the start of the step, or [NEVER]. A sphere that
@@ -52,21 +88,144 @@ public class WallContact {
         val v = rows.state[p + VX + axis]
         val x = rows.state[p + axis]
         val r = rows.state[p + RADIUS]
+        moving[face]?.let { return it.contact(x, v, r, rows.state[p + TIME]) }
         val outward = if (face and 1 == 0) -v else v
         if (outward <= 0.0) return NEVER
         val gap = if (face and 1 == 0) (x - r) - lower[axis] else upper[axis] - (x + r)
         return rows.state[p + TIME] + if (gap <= 0.0) 0.0 else gap / outward
     }
 
-    /** Reflects sphere [slot] at wall [face] at [time]; the caller does not read [outcome]. */
+    /**
+     * Where a sphere may touch the wall [face] that is at the box's face when it rests: as far into the room as the wall
+     * comes, for paths that are straight within each step, in steps that cover the time [span] from the start of this
+     * one.
+     */
+    internal fun innermost(face: Int, span: Double): Double = moving[face]?.innermost(span) ?: faceOf(face)
+
+    /**
+     * Reflects sphere [slot] at wall [face] at [time]. Where walls [are driven][areDriven] it describes that in
+     * [outcome]; elsewhere the caller does not read it.
+     */
     public fun reflect(rows: StepRows, slot: Int, face: Int, time: Double, outcome: CollisionOutcome) {
         rows.advance(slot, time)
+        if (areDriven) return reflectDriven(rows, slot, face, time, outcome)
+        if (moving[face] != null || law!!.hasAcceleration) return bounce(rows, slot, face, time, outcome)
         val v = slot * STRIDE + VX + (face shr 1)
-        roughness[face]?.let {
-            spins!!.reflect(rows, it, slot, face, abs(rows.state[v]), restitution, time, outcome.contact)
-        }
+        rub(rows, slot, face, abs(rows.state[v]), restitution[face], time, outcome)
         // +0.0 from a wall that absorbs all of the speed, whichever way the sphere came.
-        rows.state[v] = rows.state[v] * -restitution + 0.0
+        rows.state[v] = rows.state[v] * -restitution[face] + 0.0
+    }
+
+    private fun rub(
+        rows: StepRows,
+        slot: Int,
+        face: Int,
+        speed: Double,
+        restitution: Double,
+        time: Double,
+        outcome: CollisionOutcome,
+    ) {
+        val roughness = roughness[face] ?: return
+        law!!.spins.reflect(rows, roughness, slot, face, speed, restitution, time, outcome.contact)
+    }
+
+    /** The impact of a wall that moves or is thermal, or where spheres fall. */
+    private fun bounce(rows: StepRows, slot: Int, face: Int, time: Double, outcome: CollisionOutcome) {
+        val axis = face shr 1
+        val v = slot * STRIDE + VX + axis
+        val inward = if (face and 1 == 0) 1.0 else -1.0
+        val wall = moving[face]
+        val speed = wall?.approach(rows.state[v], time) ?: (-inward * rows.state[v])
+        outcome.impactSpeed = maxOf(speed, 0.0)
+        // Else the wall has turned around at this very moment.
+        if (speed < 0.0) return
+        val coefficient = if (wall == null) restitution[face] else guarded(rows, slot, face, speed, time)
+        val leaving = alongWall(rows, slot, face, speed, coefficient, time, outcome)
+        rows.state[v] = wall?.leaving(wall.rebound(leaving, coefficient, time), time) ?: (inward * leaving + 0.0)
+    }
+
+    /**
+     * Changes what spheres do along the wall, and returns the speed with which the sphere leaves relative to it.
+     */
+    private fun alongWall(
+        rows: StepRows,
+        slot: Int,
+        face: Int,
+        speed: Double,
+        coefficient: Double,
+        time: Double,
+        outcome: CollisionOutcome,
+    ): Double {
+        val thermal = thermal[face]
+        if (thermal == null && roughness[face] == null) return coefficient * speed
+        val axis = face shr 1
+        val v = slot * STRIDE + VX
+        // Surfaces rub with true velocities, not with those of chords.
+        for (k in 0..2) if (k != axis) rows.state[v + k] -= bow(k, time)
+        if (thermal == null) rub(rows, slot, face, speed, coefficient, time, outcome)
+        val leaving = thermal?.draw(rows, slot, time) ?: (coefficient * speed)
+        for (k in 0..2) if (k != axis) rows.state[v + k] += bow(k, time)
+        return leaving
+    }
+
+    /** By how much the velocity of a chord along [axis] exceeds the true one at [time]. */
+    private fun bow(axis: Int, time: Double) = 0.5 * acceleration[axis] * (duration - 2 * time)
+
+    private fun reflectDriven(rows: StepRows, slot: Int, face: Int, time: Double, outcome: CollisionOutcome) {
+        val energy = energy(rows, slot, time)
+        val state = rows.state
+        val v = slot * STRIDE + VX
+        val vx = state[v]
+        val vy = state[v + 1]
+        val vz = state[v + 2]
+        bounce(rows, slot, face, time, outcome)
+        val axis = face shr 1
+        val inward = if (face and 1 == 0) 1.0 else -1.0
+        val mass = rows.mass[slot]
+        val before = if (axis == 0) {
+            vx
+        } else if (axis == 1) {
+            vy
+        } else {
+            vz
+        }
+        outcome.impulse = mass * inward * (state[v + axis] - before)
+        outcome.coefficient = if (outcome.impactSpeed > 0.0) outcome.impulse / mass / outcome.impactSpeed - 1.0 else 1.0
+        val reach = inward * state[slot * STRIDE + RADIUS]
+        outcome.separationX = if (axis == 0) reach else 0.0
+        outcome.separationY = if (axis == 1) reach else 0.0
+        outcome.separationZ = if (axis == 2) reach else 0.0
+        outcome.slideX = if (axis == 0) 0.0 else mass * (state[v] - vx)
+        outcome.slideY = if (axis == 1) 0.0 else mass * (state[v + 1] - vy)
+        outcome.slideZ = if (axis == 2) 0.0 else mass * (state[v + 2] - vz)
+        outcome.rubbed = energy - energy(rows, slot, time)
+        outcome.rank = rows.rank(slot)
+    }
+
+    /** Energy of motion and of spin of [slot] at [time]. */
+    private fun energy(rows: StepRows, slot: Int, time: Double): Double {
+        var squares = 0.0
+        for (k in 0..2) {
+            val u = rows.state[slot * STRIDE + VX + k] - bow(k, time)
+            squares += u * u
+        }
+        if (rows.hasSpin) {
+            val r = rows.state[slot * STRIDE + RADIUS]
+            val turns = rows.wx[slot] * rows.wx[slot] + rows.wy[slot] * rows.wy[slot] + rows.wz[slot] * rows.wz[slot]
+            squares += law!!.momentFactor * r * r * turns
+        }
+        return 0.5 * rows.mass[slot] * squares
+    }
+
+    /** The coefficient of restitution of a wall that moves, which the guard may make 1 as between spheres. */
+    private fun guarded(rows: StepRows, slot: Int, face: Int, speed: Double, time: Double): Double {
+        val guard = law!!.guard
+        if (!guard.needsLastCollision) {
+            return if (guard.makesElastic(speed, 0.0, 0.0)) 1.0 else restitution[face]
+        }
+        val since = time - rows.lastCollision[slot]
+        rows.lastCollision[slot] = time
+        return if (guard.makesElastic(speed, since, Double.POSITIVE_INFINITY)) 1.0 else restitution[face]
     }
 
     public companion object {

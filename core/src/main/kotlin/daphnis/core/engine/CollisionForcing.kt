@@ -42,10 +42,25 @@ public class CollisionForcing @JvmOverloads constructor(
     /** See [daphnis.core.force.Drift.turning]; to be set before the first step. */
     internal var turning = 0.0
         set(value) {
-            collisionLaw = CollisionLaw(collisionLaw.contactLaw, collisionLaw.guard, null, momentFactor, value)
-            step = null
             field = value
+            renewLaw()
         }
+
+    /**
+     * The part of the acceleration of spheres between collisions that is the same for all, along x, y, z; to be set
+     * before the first step.
+     */
+    internal var acceleration = listOf(0.0, 0.0, 0.0)
+        set(value) {
+            field = value
+            renewLaw()
+        }
+
+    private fun renewLaw() {
+        val law = collisionLaw
+        collisionLaw = CollisionLaw(law.contactLaw, law.guard, null, momentFactor, turning, acceleration)
+        step = null
+    }
 
     /** Whether the next step is the first of spheres of which nobody has seen that they do not overlap. */
     internal var isStartUnchecked = false

@@ -3,8 +3,11 @@ package daphnis.core.force
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.population.Population
 
-/** The same constant acceleration for every sphere, such as gravity in a shaken box; in length/time². */
-public class UniformAcceleration(private val ax: Double, private val ay: Double, private val az: Double) :
+/**
+ * The same constant acceleration for every sphere, such as gravity in a shaken box; in length/time². Without a [Drift]
+ * contacts with walls are those of the parabolas too, however long the step.
+ */
+public class UniformAcceleration(internal val ax: Double, internal val ay: Double, internal val az: Double) :
     Kick,
     PerSphereEnergy {
     init {
@@ -28,4 +31,10 @@ public class UniformAcceleration(private val ax: Double, private val ay: Double,
         val p = population
         for (k in from until to) into[k - from] = -p.mass[k] * (ax * p.x[k] + ay * p.y[k] + az * p.z[k])
     }
+}
+
+/** The sum of all uniform accelerations among [forces], along x, y, z. */
+internal fun uniformAcceleration(forces: List<Force>): List<Double> {
+    val uniform = forces.filterIsInstance<UniformAcceleration>()
+    return listOf(uniform.sumOf { it.ax }, uniform.sumOf { it.ay }, uniform.sumOf { it.az })
 }

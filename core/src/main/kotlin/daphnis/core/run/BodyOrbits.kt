@@ -62,7 +62,7 @@ internal class BodyOrbits(private val times: OutputTimes, private val sums: Step
         val duration = simulation.lastDuration
         for (k in 0 until record.size) {
             // Bodies have the highest ids.
-            if (record.higher[k] < sums.firstBody) continue
+            if (record.higher[k] < sums.firstBody || record.isWall(k)) continue
             pushOn(record.higher[k])?.add(record, k, 1.0, duration)
             if (record.lower[k] >= sums.firstBody) pushOn(record.lower[k])?.add(record, k, -1.0, duration)
         }

@@ -71,8 +71,9 @@ internal class HeldCollisions {
     val bytes: Long get() = size * (CollisionRecord.WIDTH + 1) * Double.SIZE_BYTES + 3L * size * Int.SIZE_BYTES
 
     fun add(step: Long, record: CollisionRecord) {
-        if (record.size == 0) return
-        this.record.addAll(record, 0, record.size)
+        val before = size
+        for (k in 0 until record.size) if (!record.isWall(k)) this.record.addAll(record, k, k + 1)
+        if (size == before) return
         steps += step
         ends += size
     }

@@ -7,7 +7,7 @@ import daphnis.core.collision.CollisionRecord
 import daphnis.core.population.ExactSum
 
 /**
- * Sums over the collisions of a run: number, impact speeds, and the momentum that collisions carry. They are exact
+ * Sums over the collisions of two spheres in a run: number, impact speeds, and the momentum that collisions carry. They are exact
  * ([ExactSum]): the order of the collisions changes no bit. The simulation's collisional forcing must record
  * collisions.
  *
@@ -94,7 +94,7 @@ public class CollisionStatistics @JvmOverloads constructor(public val from: Doub
             checkNotNull(simulation.collisions?.record) {
                 "collisions are not recorded; make CollisionForcing with recordCollisions = true"
             }
-        for (k in 0 until record.size) add(record, k)
+        for (k in 0 until record.size) if (!record.isWall(k)) add(record, k)
         sumWaiting()
     }
 

@@ -2,6 +2,7 @@ package daphnis.core.run
 
 import daphnis.core.Output
 import daphnis.core.Simulation
+import daphnis.core.boundary.hasDrivenWalls
 import daphnis.core.cluster.FleetEngines
 import daphnis.core.engine.EngineFactory
 import daphnis.core.engine.SerialEngine
@@ -41,6 +42,7 @@ internal class RunPlan(
         spinSums(simulation),
         materialSums(simulation, scenario),
         if (ModesOutput.times(output).isNever) null else ModeSums(output.modes, simulation.boundary, sums.firstBody),
+        simulation.boundary.hasDrivenWalls,
     )
 
     override fun close() {

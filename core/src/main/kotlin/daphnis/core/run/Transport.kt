@@ -37,9 +37,10 @@ internal object TransportOutput :
  */
 internal class Transport(private val times: OutputTimes, private val sums: StepSums, private val files: RunFiles) :
     Output {
-    private val rows = if (sums.haveSpins) TransportColumns.rows else TransportColumns.smooth
+    private val rows = TransportColumns.rows(sums.haveSpins, sums.areWallsDriven)
     private val file = files.table(rows)
     private val statistics = CollisionStatistics()
+    private val walls = if (sums.areWallsDriven) WallStatistics() else null
     private var gravity: MutualGravity? = null
 
     override fun open(simulation: Simulation, opening: Opening) {
@@ -48,26 +49,30 @@ internal class Transport(private val times: OutputTimes, private val sums: StepS
 
     override fun write(simulation: Simulation) {
         statistics.write(simulation)
+        walls?.write(simulation)
         if (!times.isDue(simulation)) return
-        rows.write(TransportRow(simulation, sums.of(simulation), statistics, gravity), file.line())
+        rows.write(TransportRow(simulation, sums.of(simulation), statistics, walls, gravity), file.line())
         file.endLine()
     }
 
     override fun save(state: OutputState) {
         statistics.save(state)
+        walls?.save(state)
         files.writeWhole(ImpactColumns.file, ImpactColumns.table(statistics, files.units))
     }
 
     override fun restore(state: OutputState) {
         statistics.restore(state)
+        walls?.restore(state)
     }
 }
 
-/** The source of a row of `transport.csv`; [collisions] counts from the start of the run. */
+/** The source of a row of `transport.csv`; [collisions] and [walls] count from the start of the run. */
 internal class TransportRow(
     val simulation: Simulation,
     val sums: PopulationSums,
     val collisions: CollisionStatistics,
+    val walls: WallStatistics?,
     private val gravity: MutualGravity?,
 ) {
     val gravityXY: Double get() = gravity?.stressXY(simulation.population, simulation.time) ?: 0.0
@@ -75,7 +80,8 @@ internal class TransportRow(
 
 /**
  * The columns of `transport.csv`; `docs/guide.md` says what they mean. A further quantity is a further line here. Those
- * from `virial_yx` on are only there where spheres have spins.
+ * from `virial_yx` on are only there where spheres have spins, and those from [WALL_WORK] on where walls move or are
+ * thermal.
  */
 public object TransportColumns : TableColumns {
     private val COMPONENTS = listOf("xx", "yy", "zz", "xy", "xz", "yz")
@@ -139,8 +145,23 @@ public object TransportColumns : TableColumns {
     }
     private val allVirials = virials + TURNED.zip(turned)
 
-    /** Where nothing spins. */
-    internal val smooth = rows.without(turned.toSet())
+    /** Energy that walls gave since the start, where any moves or is thermal. */
+    @JvmField
+    public val WALL_WORK: Column = rows.number("wall_work", Dimension.ENERGY) { it.walls?.given ?: 0.0 }
+
+    /** Momentum that the walls −x, +x, −y, +y, −z, +z gave along their normals since the start, in the same files. */
+    @JvmField
+    public val WALL_IMPULSE: List<Column> = rows.each(
+        listOf("lower_x", "upper_x", "lower_y", "upper_y", "lower_z", "upper_z").map { "wall_impulse_$it" },
+        Dimension.MOMENTUM,
+    ) { row, face -> row.walls?.impulse(face) ?: 0.0 }
+
+    /** The columns of a run. */
+    internal fun rows(haveSpins: Boolean, areWallsDriven: Boolean): Columns<TransportRow> {
+        val ofSpins = if (haveSpins) emptyList() else turned
+        val ofWalls = if (areWallsDriven) emptyList() else WALL_IMPULSE + WALL_WORK
+        return if (ofSpins.isEmpty() && ofWalls.isEmpty()) rows else rows.without((ofSpins + ofWalls).toSet())
+    }
 
     /** ⟨c_a c_b⟩ by component, such as `xx`. */
     @JvmStatic

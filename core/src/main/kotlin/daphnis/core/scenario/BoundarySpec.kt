@@ -47,26 +47,47 @@ public sealed interface BoundarySpec {
         override fun toString(): String = "periodic"
     }
 
-    /** Reflecting walls across the axes named in [axes]; the other axes are periodic. */
+    /**
+     * Walls across the axes named in [axes]; the other axes are periodic.
+     *
+     * @property faces what single walls have of their own
+     */
     @Serializable
     @SerialName("walls")
     public class Walls @JvmOverloads constructor(
         public val axes: String = "xyz",
         public val restitution: Double = 1.0,
         public val roughness: WallRoughnessSpec? = null,
+        public val faces: WallFacesSpec? = null,
     ) : BoundarySpec {
-        override fun conditions(box: Box, frequencies: OrbitalFrequencies?, source: String): BoundaryConditions {
+        override fun conditions(box: Box, frequencies: OrbitalFrequencies?, source: String): BoundaryConditions =
+            conditions(box, source, seed = 0)
+
+        /** The same; thermal walls draw by [seed]. */
+        internal fun conditions(box: Box, source: String, seed: Long): BoundaryConditions {
             val known = axes.isNotEmpty() && axes.all { it in AXES } && axes.toSet().size == axes.length
             val check = ValueCheck(source)
             check.that("boundary.axes", axes, known) { "must name axes, such as xyz or z" }
             check.fraction("boundary.restitution", restitution)
             val walled = BooleanArray(AXES.length) { AXES[it] in axes }
-            return daphnis.core.boundary.Walls(box, restitution, walled, roughness?.laws(axes, check) ?: emptyList())
+            val surfaces = roughness?.laws(axes, check) ?: emptyList()
+            val own = faces?.faces(axes, check) ?: emptyList()
+            for (face in own.indices) {
+                val isRough = surfaces.getOrNull(face) != null
+                check.must(
+                    "${WallFacesSpec.KEY}.${WallFacesSpec.NAMES[face]}",
+                    own[face]?.temperature == null || !isRough,
+                ) {
+                    "has a temperature; a thermal wall cannot be rough"
+                }
+            }
+            return daphnis.core.boundary.Walls(box, restitution, walled, surfaces, own, seed)
         }
 
         override fun inWords(number: DoubleFunction<String>, speed: DoubleFunction<String>): String =
             "walls across $axes, restitution ${number.apply(restitution)}, " +
-                "surfaces ${roughness?.inWords(axes, number) ?: "smooth"}"
+                "surfaces ${roughness?.inWords(axes, number) ?: "smooth"}" +
+                faces?.inWords(number).orEmpty()
 
         override fun toString(): String = "walls with axes $axes"
     }

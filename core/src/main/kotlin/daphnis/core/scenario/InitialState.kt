@@ -2,6 +2,8 @@ package daphnis.core.scenario
 
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
+import daphnis.core.boundary.hasMovingWalls
+import daphnis.core.boundary.roomAt
 import daphnis.core.format.Snapshot
 import daphnis.core.initial.Crowding
 import daphnis.core.initial.Lattice
@@ -26,6 +28,9 @@ internal class InitialState(
     private val materials: Materials,
     private val start: Snapshot? = null,
 ) {
+    /** Where spheres can be at the start: walls that move may not be at the faces of the box then. */
+    private val room = if (boundary.hasMovingWalls) boundary.roomAt(scenario.startTime) else box
+
     /** What a user should know about the state made, one line each. */
     val notices = ArrayList<String>()
 
@@ -46,15 +51,15 @@ internal class InitialState(
         val positions = try {
             if (placement is PlacementSpec.Lattice) {
                 check.must("bodies", scenario.bodies.isEmpty()) { "need random placement, which goes around them" }
-                LatticePlacement(lattice(placement)).place(radii, box, walled(), stream(PLACES))
+                LatticePlacement(lattice(placement)).place(radii, room, walled(), stream(PLACES))
             } else if (!isPlaced) {
-                Crowding.check(radii, box, walled())
+                Crowding.check(radii, room, walled())
                 Positions(DoubleArray(radii.size), DoubleArray(radii.size), DoubleArray(radii.size))
             } else {
                 RandomPlacement(
                     obstacles = bodies.obstacles,
                     threads = scenario.engine.threadsAtStart,
-                ).place(radii, box, walled(), stream(PLACES))
+                ).place(radii, room, walled(), stream(PLACES))
             }
         } catch (e: PlacementException) {
             val (key, value) = spec.amount(radii.size)

@@ -2,6 +2,7 @@ package daphnis.core.scenario
 
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.ContactFaces
+import daphnis.core.boundary.roomAt
 import daphnis.core.population.Population
 import daphnis.core.search.NearPairs
 import daphnis.core.search.Overlap
@@ -17,6 +18,8 @@ internal class OverlapRepair(
     private val time: Double,
     private val threads: Int,
 ) {
+    private val room = boundary.roomAt(time)
+
     /**
      * The deepest overlap.
      *
@@ -35,8 +38,8 @@ internal class OverlapRepair(
             val p = population.position(axis)
             for (k in p.indices) {
                 val r = population.radius[k]
-                val room = minOf(p[k] - boundary.box.lower(axis), boundary.box.upper(axis) - p[k])
-                if ((r - room) / r > deepest.depth) deepest = Deepest((r - room) / r, population.id[k], -1)
+                val free = minOf(p[k] - room.lower(axis), room.upper(axis) - p[k])
+                if ((r - free) / r > deepest.depth) deepest = Deepest((r - free) / r, population.id[k], -1)
             }
         }
         return deepest
@@ -155,8 +158,8 @@ internal class OverlapRepair(
             for (k in 0 until population.size) {
                 val p = population.position(axis)[k]
                 val r = population.radius[k]
-                val below = boundary.box.lower(axis) + r - p
-                val above = p - (boundary.box.upper(axis) - r)
+                val below = room.lower(axis) + r - p
+                val above = p - (room.upper(axis) - r)
                 if (below <= 0 && above <= 0) continue
                 isMoved = true
                 moveAlong(axis, k, if (below > 0) below + slack * r else -above - slack * r, way)

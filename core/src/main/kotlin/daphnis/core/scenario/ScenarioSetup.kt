@@ -155,7 +155,7 @@ public class ScenarioSetup private constructor(
             val resolved = ResolvedScenario(scenario, around.end, guardSpec, timeStepSpec, firstBody, output)
             val timeStep = timeStep(resolved, boundary, check)
             checkSteps(resolved, timeStep.next(population), check)
-            if (state == null) StartCheck(scenario, population, boundary, check).check(timeStep, isPlaced)
+            if (state == null) StartCheck(scenario, population, boundary, check, around.end).check(timeStep, isPlaced)
             if (state == null && (isPlaced || timeStep is FixedTimeStep)) {
                 val likeThem = forceSetup.forces(around.boundary, firstBody)
                 FirstKick(scenario, likeThem, boundary, check).check(population, timeStep.next(population), isPlaced)

@@ -5,6 +5,9 @@ import daphnis.core.TimeStep
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.ContactFaces
 import daphnis.core.boundary.ShearedPeriodic
+import daphnis.core.boundary.WallMotion
+import daphnis.core.boundary.leastRoom
+import daphnis.core.boundary.roomAt
 import daphnis.core.force.mesh.MeshPoints
 import daphnis.core.format.SnapshotCheck
 import daphnis.core.population.Population
@@ -21,6 +24,7 @@ internal class StartCheck(
     private val population: Population,
     private val boundary: BoundaryConditions,
     private val check: ValueCheck,
+    private val end: Double,
 ) {
     /** @param isPlaced false where spheres placed at random are not where they will be */
     fun check(timeStep: TimeStep, isPlaced: Boolean = true) {
@@ -39,8 +43,11 @@ internal class StartCheck(
                     }
                     if (isKnown) checkCrossings(axis, largest, timeStep)
                 }
-                ContactFaces.WALL -> check.that(key, length, length > 2 * largest) {
-                    "must exceed the diameter of the largest sphere, ${2 * largest}"
+                ContactFaces.WALL -> {
+                    check.that(key, length, length > 2 * largest) {
+                        "must exceed the diameter of the largest sphere, ${2 * largest}"
+                    }
+                    checkMotion(axis, largest, if (isKnown) timeStep.next(population) else 0.0)
                 }
                 // Moonlets may stick out of the slab in which particles are placed.
                 ContactFaces.OPEN, ContactFaces.WRAPPING -> {
@@ -76,9 +83,23 @@ internal class StartCheck(
         check.fail(key, e.message.orEmpty())
     }
 
+    private fun checkMotion(axis: Int, largest: Double, duration: Double) {
+        val motions = (0..1).mapNotNull { boundary.wallMotion(2 * axis + it) }
+        if (motions.isEmpty()) return
+        val frequency = motions.maxOf { (it as? WallMotion.Periodic)?.frequency ?: 0.0 }
+        check.must("timeStep", frequency * duration <= MOST_CYCLES) {
+            "is so long that a wall across ${"xyz"[axis]} has ${frequency * duration} cycles in a step; take a smaller dt"
+        }
+        val room = boundary.leastRoom(axis, scenario.startTime, end)
+        check.must("boundary.faces", room > 2 * largest) {
+            "lets the walls across ${"xyz"[axis]} come as near to each other as $room; " +
+                "that must exceed the diameter of the largest sphere, ${2 * largest}"
+        }
+    }
+
     private fun checkInside(axis: Int) {
         val p = population.position(axis)
-        val box = boundary.box
+        val box = boundary.roomAt(scenario.startTime)
         val wall = boundary.contactFaces(axis) == ContactFaces.WALL
         for (k in 0 until population.size) {
             val margin = if (wall) population.radius[k] * (1 - TOLERANCE) else 0.0
@@ -188,6 +209,9 @@ internal class StartCheck(
          * between would be searched.
          */
         private const val MOST_BOXES = 3
+
+        /** Of a wall in a step. More would still be right, but contacts are looked for in each. */
+        private const val MOST_CYCLES = 1000
 
         /** Of a mesh, 0.3 GB. */
         private const val MOST_POINTS = 40_000_000

@@ -2,6 +2,7 @@ package daphnis.core.scenario
 
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.ContactFaces
+import daphnis.core.boundary.roomAt
 import daphnis.core.boundary.wrap
 import daphnis.core.format.Snapshot
 import daphnis.core.population.Population
@@ -20,6 +21,8 @@ internal class StateRepair(
     private val check: ValueCheck,
     private val notices: MutableList<String>,
 ) {
+    private val box = boundary.roomAt(scenario.startTime)
+
     /** The population of [snapshot], with what it takes. */
     fun repaired(snapshot: Snapshot): Population {
         val population = snapshot.population()
@@ -45,7 +48,7 @@ internal class StateRepair(
             for (k in p.indices) {
                 val out = outside(p[k], axis)
                 if (!(out > 0)) continue
-                val isRounding = out <= ROUNDING * boundary.box.length(axis)
+                val isRounding = out <= ROUNDING * box.length(axis)
                 if (!spec.wrap && !isRounding) refuse(population, k, axis, shift, WRAP)
                 if (!isOutside[k]) count++
                 isOutside[k] = true
@@ -60,7 +63,7 @@ internal class StateRepair(
     }
 
     /** By how much [p] is outside the box along [axis]. */
-    private fun outside(p: Double, axis: Int) = maxOf(boundary.box.lower(axis) - p, p - boundary.box.upper(axis))
+    private fun outside(p: Double, axis: Int) = maxOf(box.lower(axis) - p, p - box.upper(axis))
 
     private fun requireOffWalls(population: Population, shift: DoubleArray) {
         for (axis in 0..2) {
@@ -80,8 +83,8 @@ internal class StateRepair(
     private fun refuse(population: Population, k: Int, axis: Int, shift: DoubleArray, wayOut: String?): Nothing {
         fun inFile(value: Double) = if (shift[axis] == 0.0) "$value" else shown(value + shift[axis])
         val name = "xyz"[axis]
-        val lower = inFile(boundary.box.lower(axis))
-        val upper = inFile(boundary.box.upper(axis))
+        val lower = inFile(box.lower(axis))
+        val upper = inFile(box.upper(axis))
         val place = inFile(population.position(axis)[k])
         val isOut = outside(population.position(axis)[k], axis) > 0
         val what = if (isOut) "is outside the box," else "with radius ${population.radius[k]} reaches out of the box,"

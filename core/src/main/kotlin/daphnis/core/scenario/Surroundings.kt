@@ -38,7 +38,12 @@ public class Surroundings private constructor(
             val frequencies = FrameSetup.frequencies(scenario, source)
             checkEnd(scenario, times.end, check)
             val box = box(scenario, check)
-            val boundary = scenario.boundary.conditions(box, frequencies, source)
+            val spec = scenario.boundary
+            val boundary = if (spec is BoundarySpec.Walls) {
+                spec.conditions(box, source, scenario.seed)
+            } else {
+                spec.conditions(box, frequencies, source)
+            }
             FrameSetup.checkFaces(scenario, boundary, frequencies, check)
             return Surroundings(box, boundary, frequencies, times.end, times.timeStep)
         }

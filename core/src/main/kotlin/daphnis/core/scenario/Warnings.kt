@@ -2,12 +2,8 @@
 
 package daphnis.core.scenario
 
-import daphnis.core.boundary.ContactFaces
 import daphnis.core.force.RadialGravity
-import daphnis.core.population.granularTemperature
 import java.util.Locale
-import kotlin.math.abs
-import kotlin.math.sqrt
 
 /**
  * What is allowed but may not give the wanted result: one line each, which names the key and the remedy; empty when
@@ -19,43 +15,11 @@ public fun warnings(setup: ScenarioSetup): List<String> {
     if (setup.population.size == 0) return emptyList()
     val dt = setup.timeStep.next(setup.population)
     return listOfNotNull(
-        fallsBetweenWalls(setup, dt),
         coarseOrbit(setup, dt),
         coarsePull(setup, dt),
         smallForWakes(setup),
     )
 }
-
-/**
- * Between walls, paths are straight within a step although they should be parabolas, so elastic bounces gain energy.
- */
-private fun fallsBetweenWalls(setup: ScenarioSetup, dt: Double): String? {
-    val axis =
-        (0..2).filter { setup.boundary.contactFaces(it) == ContactFaces.WALL }.maxByOrNull { fall(setup, it) }
-            ?: return null
-    val fall = fall(setup, axis)
-    if (fall == 0.0) return null
-    val thermal = sqrt(granularTemperature(setup.population, setup.boundary.meanFlow, setup.scenario.firstBody))
-    // Grains at rest reach the speed of a fall through the box.
-    val speed = if (thermal > 0) thermal else sqrt(fall * setup.boundary.box.length(axis))
-    val ratio = fall * dt / speed
-    if (ratio <= MOST_FALL) return null
-    val what = if (thermal > 0) "the thermal speed" else "the speed of a fall through the box"
-    return line(
-        "timeStep: a step of %.4g changes speeds across the walls along %s by %.2g of %s; " +
-            "elastic bounces there gain about %.1g of their energy each; take steps of %.3g or less",
-        dt,
-        "xyz"[axis],
-        ratio,
-        what,
-        GAIN * ratio * ratio,
-        MOST_FALL * speed / fall,
-    )
-}
-
-/** Uniform acceleration along [axis]. */
-private fun fall(setup: ScenarioSetup, axis: Int): Double =
-    abs(setup.scenario.forces.filterIsInstance<ForceSpec.UniformAcceleration>().sumOf { it.acceleration[axis] })
 
 /**
  * Collisions are found on chords, which deviate from the paths by an amount proportional to the step squared; what
@@ -113,14 +77,6 @@ private fun smallForWakes(setup: ScenarioSetup): String? {
 
 private fun line(format: String, vararg values: Any): String = String.format(Locale.ROOT, format, *values)
 
-/**
- * Change of speed within a step, relative to the thermal speed: at this ratio 1 % of the energy is gained in about 100
- * bounces.
- */
-private const val MOST_FALL = 0.02
-
-/** Energy gained by an elastic bounce, divided by its energy and the square of that ratio, as measured. */
-private const val GAIN = 0.22
 private const val FEWEST_STEPS = 100.0
 
 /** Steps per period of a pull: fewer than this, and kicks shift its frequency by more than 7 parts in 10⁴. */

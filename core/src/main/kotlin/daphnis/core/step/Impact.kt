@@ -80,8 +80,7 @@ internal open class Impact(
     fun process(time: Double, first: Int, second: Int, image: Int): End {
         val isWall = second < 0
         if (isWall) {
-            prepared.walls.reflect(rows, first, WallContact.face(second), time, outcome)
-            if (isCounted(first, first)) counted.wallCollisions++
+            bounce(time, first, second)
         } else {
             collide(time, first, second, image)
         }
@@ -96,6 +95,14 @@ internal open class Impact(
         // The pair itself is searched once, from the first sphere; the second leaves it out.
         val isDone = goOn(first, NOBODY) && (isWall || goOn(second, slotOf(first)))
         return if (isDone) End.DONE else End.VOID
+    }
+
+    private fun bounce(time: Double, first: Int, wall: Int) {
+        val walls = prepared.walls
+        walls.reflect(rows, first, WallContact.face(wall), time, outcome)
+        if (!isCounted(first, first)) return
+        counted.wallCollisions++
+        if (walls.areDriven) record?.add(time, wall, rows.id[first], outcome)
     }
 
     private fun collide(time: Double, first: Int, second: Int, image: Int) {

@@ -123,7 +123,7 @@ public class PreparedStep @JvmOverloads constructor(sort: GridSort = GridSort.CO
         this.spheres = spheres
         this.middle = middle
         duration = step.duration
-        walls.prepare(step.boundary, step.law)
+        walls.prepare(step.boundary, step.law, step.start, step.duration)
     }
 
     /** Sorts the spheres into the grid and copies them, as they are at the start of the step. */

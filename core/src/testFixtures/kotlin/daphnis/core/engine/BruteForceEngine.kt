@@ -35,7 +35,7 @@ class BruteForceEngine : CollisionEngine {
         step.record?.clear()
         rows.load(step.population, IntArray(n) { it }, step.duration, step.law.guard.needsLastCollision)
         images.prepare(step.boundary, step.start)
-        walls.prepare(step.boundary, step.law)
+        walls.prepare(step.boundary, step.law, step.start, step.duration)
         codes = imageCodes(step.population, step.boundary, step.duration)
         queue.reset(step.duration, rows.id, n)
         for (a in 0 until n) {
@@ -50,6 +50,7 @@ class BruteForceEngine : CollisionEngine {
             if (b < 0) {
                 walls.reflect(rows, a, WallContact.face(b), time, outcome)
                 step.counters.wallCollisions++
+                if (walls.areDriven) step.record?.add(time, b, rows.id[a], outcome)
             } else {
                 queue.removeAllOf(b)
                 if (step.law.collide(rows, a, b, queue.image, images, time, outcome)) {

@@ -37,6 +37,7 @@ import daphnis.core.search.SearchStructure
 class Draw(override val seed: Long) : Case {
     override val random = SeededRandom(seed)
     private val surface = SurfaceDraw(seed)
+    private val driven = WallDraw(seed)
     private val filling = Math.exp(random.nextDouble(Math.log(0.01), Math.log(0.5)))
     private val clumped = random.nextInt(4) == 0
     private val flat = random.nextInt(3) == 0
@@ -102,13 +103,16 @@ class Draw(override val seed: Long) : Case {
     private fun drawBoundary(): BoundaryConditions = when (random.nextInt(10)) {
         0 -> Open
         1 -> Periodic(box, random.nextInt(2) == 0, true, random.nextInt(2) == 0)
-        2 -> Walls(box, random.nextDouble(0.5, 1.0), roughness = surface.walls)
-        3 -> Walls(box, 1.0, booleanArrayOf(false, true, false), surface.walls)
+        2 -> walls(random.nextDouble(0.5, 1.0), booleanArrayOf(true, true, true))
+        3 -> walls(1.0, booleanArrayOf(false, true, false))
         4 -> ShearedPeriodic(box, random.nextDouble(-1.0, 1.0))
         5, 6 -> LeesEdwards(box, random.nextDouble(-0.3, 0.3))
         7, 8 -> HillSheet(box, orbits, radiallyOpen = random.nextInt(4) == 0)
         else -> Periodic(box)
     }
+
+    private fun walls(restitution: Double, walled: BooleanArray) =
+        Walls(box, restitution, walled, surface.walls, driven.faces(surface.walls, walled), seed)
 
     private fun populate(): Population {
         val room = if (clumped) corner() else box
@@ -169,7 +173,8 @@ class Draw(override val seed: Long) : Case {
      * Elsewhere some have a thermostat.
      */
     private fun forces(): List<Force> {
-        if (boundary !is HillSheet || dt * omega > 1) return thermostats()
+        if (boundary !is HillSheet) return driven.forces(boundary, dt) + thermostats()
+        if (dt * omega > 1) return emptyList()
         val moon = Satellite(omega * omega * 10, Epicycle(2 * box.upperX, 0.0, 0.5, 1.0), orbits, softening = 0.5)
         val frame = HillFrame(orbits)
         return if (seed % 3 == 0L) {

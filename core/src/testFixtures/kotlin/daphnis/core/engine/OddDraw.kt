@@ -22,6 +22,7 @@ import daphnis.core.population.Population
 class OddDraw(override val seed: Long) : Case {
     override val random = SeededRandom(seed)
     private val surface = SurfaceDraw(seed)
+    private val driven = WallDraw(seed)
     private val kind = Kind.entries[random.nextInt(Kind.entries.size)]
 
     private enum class Kind {
@@ -79,6 +80,11 @@ class OddDraw(override val seed: Long) : Case {
         spheres += doubleArrayOf(x, y, z, vx, vy, vz, r, m)
     }
 
+    private fun walls(box: Box, restitution: Double): Walls {
+        val faces = if (kind == Kind.SCALES) emptyList() else driven.faces(surface.walls)
+        return Walls(box, restitution, roughness = surface.walls, faces = faces, wallSeed = seed)
+    }
+
     private fun gauss() = random.nextGaussian()
 
     private fun zero() = if (random.nextInt(2) == 0) 0.0 else -0.0
@@ -105,7 +111,7 @@ class OddDraw(override val seed: Long) : Case {
             ) {
                 Open
             } else {
-                Walls(Box(-4.0, -0.5, -0.5, edge + 5.0, edge - 0.5, edge + 0.5), 1.0, roughness = surface.walls)
+                walls(Box(-4.0, -0.5, -0.5, edge + 5.0, edge - 0.5, edge + 0.5), 1.0)
             }
         dt = 2.0
     }
@@ -133,7 +139,7 @@ class OddDraw(override val seed: Long) : Case {
         boundary =
             listOf(
                 Periodic(box),
-                Walls(box, 0.9, roughness = surface.walls),
+                walls(box, 0.9),
                 Open,
                 LeesEdwards(box, 0.25),
             )[random.nextInt(4)]
@@ -165,7 +171,7 @@ class OddDraw(override val seed: Long) : Case {
         val room = 2 + Math.pow(10.0, random.nextDouble(-5.0, 0.0))
         repeat(count) { add(room * (it + 0.5), room / 2, room / 2, gauss(), gauss(), gauss(), 1.0) }
         val box = Box(0.0, 0.0, 0.0, room * count, room, room)
-        boundary = if (random.nextInt(2) == 0) Walls(box, coefficient, roughness = surface.walls) else Periodic(box)
+        boundary = if (random.nextInt(2) == 0) walls(box, coefficient) else Periodic(box)
         dt = 0.2
     }
 
@@ -181,7 +187,7 @@ class OddDraw(override val seed: Long) : Case {
         val wide = if (random.nextInt(2) == 0) 2.5 else 2.1
         repeat(30 + random.nextInt(150)) { add(it % 12 * wide, it / 12 * wide, zero(), gauss(), gauss(), zero(), 1.0) }
         val box = Box(-1.25, -1.25, -10.0, 30.0, 40.0, 10.0)
-        boundary = listOf(Open, Periodic(box), Walls(box, 0.0, roughness = surface.walls))[random.nextInt(3)]
+        boundary = listOf(Open, Periodic(box), walls(box, 0.0))[random.nextInt(3)]
         dt = 0.5
     }
 
@@ -200,11 +206,7 @@ class OddDraw(override val seed: Long) : Case {
                 0.5,
             )
         }
-        boundary = Walls(
-            Box(0.0, 0.0, 0.0, 20.0, 20.0, 20.0),
-            listOf(0.0, 0.5, 1.0)[random.nextInt(3)],
-            roughness = surface.walls,
-        )
+        boundary = walls(Box(0.0, 0.0, 0.0, 20.0, 20.0, 20.0), listOf(0.0, 0.5, 1.0)[random.nextInt(3)])
         guard = if (coefficient == 1.0) NoGuard else FloorSpeedGuard(1e-3)
         dt = 0.05
     }
@@ -259,7 +261,7 @@ class OddDraw(override val seed: Long) : Case {
             listOf(
                 Open,
                 Periodic(box),
-                Walls(box, 0.8, roughness = surface.walls),
+                walls(box, 0.8),
                 LeesEdwards(box, 0.0),
             )[random.nextInt(4)]
         dt = random.nextDouble(0.1, 1.0)
@@ -270,6 +272,7 @@ class OddDraw(override val seed: Long) : Case {
         boundary,
         surface.collisions(ConstantRestitution(coefficient), guard, engine),
         FixedTimeStep(dt),
+        if (kind == Kind.SCALES) emptyList() else driven.forces(boundary, dt),
     )
 
     override fun threads(): Int = if (kind == Kind.THREADS) 16 + random.nextInt(49) else 1 + random.nextInt(4)

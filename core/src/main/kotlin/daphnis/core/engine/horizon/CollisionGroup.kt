@@ -60,6 +60,9 @@ internal class CollisionGroup(
     /** Whether paths are kept, so that a part of the work can be dropped. */
     private var keepsPaths = false
 
+    /** Whether collisions are written to [record]. */
+    private var isRecording = false
+
     /** Whether collisions are under way: pairs that are due are asked at once. */
     private var isUnderWay = false
 
@@ -102,6 +105,7 @@ internal class CollisionGroup(
     /** Collisions begin; they are written to [record]. */
     fun open(record: CollisionRecord?) {
         isUnderWay = true
+        isRecording = record === this.record
         impact.begin(record)
     }
 
@@ -243,7 +247,7 @@ internal class CollisionGroup(
 
     override fun met(first: Int, second: Int) {
         work.impacts++
-        if (keepsPaths) paths.met(first, second, impact.counted)
+        if (keepsPaths) paths.met(first, second, impact.counted, if (isRecording) record.size else 0)
     }
 
     override fun bend(slot: Int, place: Int) {

@@ -3,6 +3,7 @@ package daphnis.core.engine.horizon
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.ContactFaces
 import daphnis.core.boundary.Images
+import daphnis.core.collision.WallContact
 import daphnis.core.parallel.Extremes
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.SphereColumns
@@ -27,12 +28,16 @@ internal class EpochFrame {
     val low = DoubleArray(AXES)
     val length = DoubleArray(AXES)
 
-    /** Whether there is any wall; then whether at the faces across x, y, z, and where these are. */
+    /**
+     * Whether there is any wall; then whether at the faces across x, y, z, and where these are: as far into the room as
+     * spheres may meet them during the epoch.
+     */
     var hasWalls = false
         private set
     val isWalled = BooleanArray(AXES)
     val lowerFace = DoubleArray(AXES)
     val upperFace = DoubleArray(AXES)
+    private val walls = WallContact()
 
     /** Images as they are at the start of the epoch. */
     val images = Images()
@@ -122,6 +127,10 @@ internal class EpochFrame {
         steps = tuning.steps
         windows = tuning.windows
         val whole = steps * duration
+        for (axis in 0 until AXES) {
+            lowerFace[axis] = walls.innermost(2 * axis, whole)
+            upperFace[axis] = walls.innermost(2 * axis + 1, whole)
+        }
         openWindow(0)
         var span = 0.0
         for (k in 0 until AXES) {
@@ -156,9 +165,8 @@ internal class EpochFrame {
         images.prepare(boundary, step.start)
         for (axis in 0 until AXES) {
             isWalled[axis] = boundary.contactFaces(axis) == ContactFaces.WALL
-            lowerFace[axis] = boundary.box.lower(axis)
-            upperFace[axis] = boundary.box.upper(axis)
         }
+        walls.prepare(boundary, step.law, step.start, step.duration)
         hasWalls = isWalled.any { it }
         axes[0] = boundary.shear?.slideAxis ?: flow?.flowAxis ?: 0
         axes[2] = boundary.shear?.normalAxis ?: flow?.normalAxis ?: 1

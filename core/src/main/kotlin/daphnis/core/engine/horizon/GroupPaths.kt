@@ -18,21 +18,25 @@ internal class GroupPaths : GrowingTable() {
     private var piece = IntArray(0)
     private var isDropped = BooleanArray(0)
 
-    /** The collisions that count, in order: place of one sphere, and whether it was guarded. */
+    /** The collisions that count, in order: place of one sphere, entry of the record, and whether it was guarded. */
     private class Hits : GrowingTable() {
         var places = IntArray(0)
+            private set
+        var entries = IntArray(0)
             private set
         var guarded = BooleanArray(0)
             private set
 
         override fun resize(room: Int) {
             places = places.copyOf(room)
+            entries = entries.copyOf(room)
             guarded = guarded.copyOf(room)
         }
 
-        fun add(place: Int, isGuarded: Boolean) {
+        fun add(place: Int, entry: Int, isGuarded: Boolean) {
             val k = append()
             places[k] = place
+            entries[k] = entry
             guarded[k] = isGuarded
         }
     }
@@ -41,8 +45,12 @@ internal class GroupPaths : GrowingTable() {
     private var noted = 0L
     private var notedGuards = 0L
 
-    /** The reflections at walls: place of the sphere. */
+    /** Entries of the record so far. */
+    private var notedEntries = 0
+
+    /** The reflections at walls: place of the sphere, and entry of the record; [NONE] where it has none. */
     private val bounces = IntList()
+    private val bounceEntries = IntList()
 
     override fun resize(room: Int) {
         parent = parent.copyOf(room)
@@ -57,7 +65,9 @@ internal class GroupPaths : GrowingTable() {
         hits.clear()
         noted = 0
         notedGuards = 0
+        notedEntries = 0
         bounces.clear()
+        bounceEntries.clear()
     }
 
     private fun reach(place: Int) {
@@ -81,8 +91,10 @@ internal class GroupPaths : GrowingTable() {
     /**
      * The spheres at [first] and [second] have met, after which [counted] is what the group has counted. The two are
      * the same where a sphere has met a wall.
+     *
+     * @param entries how many the group's record has now; 0 where nothing is recorded
      */
-    fun met(first: Int, second: Int, counted: CollisionCounters) {
+    fun met(first: Int, second: Int, counted: CollisionCounters, entries: Int) {
         reach(maxOf(first, second))
         val a = root(first)
         val b = root(second)
@@ -92,10 +104,15 @@ internal class GroupPaths : GrowingTable() {
             ring[a] = ring[b]
             ring[b] = next
         }
-        if (first == second) bounces.add(first)
+        val entry = if (entries > notedEntries) entries - 1 else NONE
+        notedEntries = entries
+        if (first == second) {
+            bounces.add(first)
+            bounceEntries.add(entry)
+        }
         if (counted.collisions == noted) return
         noted = counted.collisions
-        hits.add(first, counted.guardActivations > notedGuards)
+        hits.add(first, entry, counted.guardActivations > notedGuards)
         notedGuards = counted.guardActivations
     }
 
@@ -138,9 +155,17 @@ internal class GroupPaths : GrowingTable() {
             if (isDropped[root(hits.places[k])]) continue
             counters.collisions++
             if (hits.guarded[k]) counters.guardActivations++
-            record?.addAll(from, k, k + 1)
+            addEntry(record, from, hits.entries[k])
         }
-        for (k in 0 until bounces.size) if (!isDropped[root(bounces[k])]) counters.wallCollisions++
+        for (k in 0 until bounces.size) {
+            if (isDropped[root(bounces[k])]) continue
+            counters.wallCollisions++
+            addEntry(record, from, bounceEntries[k])
+        }
+    }
+
+    private fun addEntry(record: CollisionRecord?, from: CollisionRecord, entry: Int) {
+        if (entry != NONE) record?.addAll(from, entry, entry + 1)
     }
 
     companion object {

@@ -1,0 +1,65 @@
+package daphnis.core.run
+
+import daphnis.core.Output
+import daphnis.core.OutputState
+import daphnis.core.Simulation
+import daphnis.core.collision.WallContact
+import daphnis.core.population.ExactSum
+
+/**
+ * Sums over the collisions of a run with walls, where any of these moves or is thermal: what they give to spheres. They
+ * are exact ([ExactSum]): the order of the collisions changes no bit. The simulation's collisional forcing must record
+ * collisions.
+ */
+public class WallStatistics : Output {
+    /** Collisions with walls summed. */
+    public var count: Long = 0
+        private set
+    private val work = ExactSum()
+    private val impulses = Array(WallContact.FACES) { ExactSum() }
+    private var lastStep = -1L
+
+    /** Energy that walls have given to spheres, that of spins with it, less what they took. */
+    public val given: Double get() = work.value()
+
+    /**
+     * Σ of the momentum that the wall [face] has given to spheres along its normal: over area and time the pressure on
+     * it.
+     */
+    public fun impulse(face: Int): Double = impulses[face].value()
+
+    override fun write(simulation: Simulation) {
+        if (simulation.step == lastStep || simulation.step == 0L) return
+        lastStep = simulation.step
+        val record =
+            checkNotNull(simulation.collisions?.record) {
+                "collisions are not recorded; make CollisionForcing with recordCollisions = true"
+            }
+        for (k in 0 until record.size) {
+            if (!record.isWall(k)) continue
+            count++
+            work.add(-record.surfaceDissipation(k))
+            impulses[WallContact.face(record.lower[k])].add(record.impulse(k))
+        }
+    }
+
+    override fun save(state: OutputState) {
+        state.put(COUNT, longArrayOf(count))
+        for (k in 0..WallContact.FACES) state.put("$SUM$k", sum(k).parts().toDoubleArray())
+    }
+
+    override fun restore(state: OutputState) {
+        count = state.longs(COUNT)[0]
+        for (k in 0..WallContact.FACES) {
+            sum(k).clear()
+            for (part in state.doubles("$SUM$k")) sum(k).add(part)
+        }
+    }
+
+    private fun sum(k: Int) = if (k == 0) work else impulses[k - 1]
+
+    private companion object {
+        const val COUNT = "wallCollisions"
+        const val SUM = "wallSum"
+    }
+}

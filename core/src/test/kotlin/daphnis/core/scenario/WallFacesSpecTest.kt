@@ -1,0 +1,113 @@
+package daphnis.core.scenario
+
+import daphnis.core.boundary.WallMotion
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertThrows
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+
+/** Walls of scenarios that move, are thermal or have a restitution of their own. */
+class WallFacesSpecTest {
+    private fun scenario(faces: String, vararg settings: String, walls: String = "") = ScenarioJson.parse(
+        """{
+          "box": { "lengths": [10, 10, 10] },
+          "boundary": { "type": "walls", "axes": "xz", "restitution": 0.8, $walls "faces": $faces },
+          "particles": { "count": 50, "sizes": { "type": "equal", "radius": 0.5 } },
+          "velocities": { "type": "gaussian", "sigma": 1 },
+          "restitution": { "type": "constant", "coefficient": 1 },
+          "timeStep": { "type": "fixed", "dt": 0.01 }, "until": 5
+        }""",
+        "test",
+        settings.toList(),
+    )
+
+    private fun setup(faces: String, vararg settings: String, walls: String = "") =
+        ScenarioSetup.of(scenario(faces, *settings, walls = walls), "test")
+
+    private fun refused(faces: String, vararg settings: String, walls: String = ""): String =
+        assertThrows(InputException::class.java) { setup(faces, *settings, walls = walls) }.message.orEmpty()
+
+    @Test
+    fun `each wall has what is said of it, and the others what is said of all`() {
+        val boundary = setup(
+            """{ "lowerX": { "restitution": 0.3 }, "upperX": { "temperature": 2 },
+                 "lowerZ": { "motion": { "type": "sine", "amplitude": 0.5, "frequency": 2, "phase": 0.25 } },
+                 "upperZ": { "motion": { "type": "steady", "velocity": -1 }, "restitution": 1 } }""",
+        ).boundary
+        assertEquals(listOf(0.3, 0.8, 0.8, 0.8, 0.8, 1.0), (0..5).map { boundary.wallRestitution(it) })
+        assertEquals(listOf(null, 2.0, null, null, null, null), (0..5).map { boundary.wallTemperature(it) })
+        assertEquals(listOf(4, 5), (0..5).filter { boundary.wallMotion(it) != null })
+        assertEquals(0.5, boundary.wallMotion(4)!!.displacement(0.0), 1e-15)
+        assertEquals(-2.0, boundary.wallMotion(5)!!.displacement(2.0))
+        val others = setup(
+            """{ "lowerZ": { "motion": { "type": "sawtooth", "amplitude": 0.5, "frequency": 2, "rise": 0.9 } },
+                 "upperZ": { "motion": { "type": "bi-parabolic", "amplitude": 0.1, "frequency": 1 } } }""",
+        ).boundary
+        assertEquals(0.9, (others.wallMotion(4) as WallMotion.Sawtooth).rise)
+        assertEquals(0.1, (others.wallMotion(5) as WallMotion.BiParabolic).amplitude)
+    }
+
+    @Test
+    fun `thermal walls draw by the seed of the scenario`() {
+        val thermal = """{ "lowerX": { "temperature": 2 } }"""
+        assertEquals(listOf(3L, 4L), listOf(3, 4).map { setup(thermal, "seed=$it").boundary.wallSeed })
+    }
+
+    @Test
+    fun `spheres are placed between walls where these are at the start`() {
+        val high = """{ "lowerZ": { "motion": { "type": "sine", "amplitude": 2, "frequency": 1, "phase": 0.25 } } }"""
+        assertTrue(setup(high).population.z.min() >= -5.0 + 2 + 0.5)
+        val low = """{ "lowerZ": { "motion": { "type": "sine", "amplitude": 2, "frequency": 1, "phase": -0.25 } } }"""
+        assertTrue(setup(low).population.z.min() < -4.5)
+    }
+
+    @Test
+    fun `a reader is told what moves`() {
+        fun words(faces: String) = scenario(faces).boundary.inWords({ "$it" }, { "$it" })
+        val sine = """"lowerZ": { "motion": { "type": "sine", "amplitude": 2, "frequency": 1 } }"""
+        assertEquals(
+            "walls across xz, restitution 0.8, surfaces smooth, upperX restitution 0.5; " +
+                "lowerZ sine of amplitude 2.0, frequency 1.0",
+            words("""{ "upperX": { "restitution": 0.5 }, $sine }"""),
+        )
+        assertTrue(words("""{ "upperX": { "temperature": 3 } }""").endsWith(", upperX thermal at 3.0"))
+        assertTrue(words("{}").endsWith("smooth"))
+    }
+
+    @Test
+    fun `what cannot be is refused in a line that names the key`() {
+        fun sine(amplitude: Any, frequency: Any, phase: Any = 0) =
+            """{ "lowerZ": { "motion": { "type": "sine", "amplitude": $amplitude, "frequency": $frequency, "phase": $phase } } }"""
+        val wrong = mapOf(
+            """{ "lowerY": { "restitution": 1 } }""" to "boundary.faces.lowerY is of no wall",
+            """{ "lowerX": { "restitution": 1.5 } }""" to "boundary.faces.lowerX.restitution is 1.5",
+            """{ "lowerX": { "temperature": 0 } }""" to "boundary.faces.lowerX.temperature is 0.0",
+            """{ "lowerX": { "temperature": 1, "restitution": 1 } }""" to "boundary.faces.lowerX.restitution does not",
+            sine(-1, 1) to "boundary.faces.lowerZ.motion.amplitude is -1.0",
+            sine(1, 0) to "boundary.faces.lowerZ.motion.frequency is 0.0",
+            sine(1, 1, 2) to "boundary.faces.lowerZ.motion.phase is 2.0",
+            sine(1, 1e300) to "boundary.faces.lowerZ.motion.frequency is",
+            sine(9.5, 1) to "boundary.faces lets the walls across z come as near",
+            sine(1, 2e5) to "timeStep is so long that a wall across z has 2000.0 cycles",
+            """{ "lowerZ": { "motion": { "type": "steady", "velocity": 1.9 } } }""" to "boundary.faces lets the walls",
+            """{ "lowerZ": { "motion": { "type": "steady", "velocity": 1e300 } } }""" to
+                "boundary.faces.lowerZ.motion.velocity is",
+            """{ "lowerZ": { "motion": { "type": "sawtooth", "amplitude": 1, "frequency": 1, "rise": 1 } } }""" to
+                "boundary.faces.lowerZ.motion.rise is 1.0",
+        )
+        for ((faces, expected) in wrong) {
+            val message = refused(faces)
+            assertTrue(
+                expected.replace(" is", ": is").replace(" lets", ": lets").replace(" does", ": does") in message,
+            ) {
+                "$message; expected $expected"
+            }
+            assertTrue('\n' !in message)
+        }
+        // As long as the walls do not meet.
+        setup("""{ "lowerZ": { "motion": { "type": "steady", "velocity": 1.7 } } }""")
+        val rough = """"roughness": { "all": { "type": "constant", "coefficient": 1 } },"""
+        val both = refused("""{ "lowerX": { "temperature": 1 } }""", walls = rough)
+        assertTrue("boundary.faces.lowerX: has a temperature" in both) { both }
+    }
+}
