@@ -10,6 +10,7 @@ import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.FirstMoments
 import daphnis.core.population.Population
 import daphnis.core.population.PopulationFold
+import daphnis.core.population.SphereSum
 import kotlin.math.abs
 import kotlin.math.sqrt
 
@@ -65,7 +66,13 @@ public class GrowingSpheres @JvmOverloads constructor(
      * collisions only.
      */
     public var reducedPressure: Double = Double.NaN
-        private set
+        internal set
+
+    /** The part of the box that the spheres of [population] fill; the same bits for any order of them. */
+    public fun fillingFactor(population: Population): Double {
+        val radius = population.radius
+        return SphereSum().of(population) { VOLUME * radius[it] * radius[it] * radius[it] } / box.volume
+    }
 
     override val approach: Double get() = gamma / scale
 
@@ -178,6 +185,9 @@ public class GrowingSpheres @JvmOverloads constructor(
 
         /** By how much radii may change in a step. */
         const val MOST = 0.1
+
+        /** Of a sphere of radius 1. */
+        const val VOLUME = 4.0 / 3 * Math.PI
 
         /** Just above 1. */
         const val SLIGHTLY_MORE = 1 + 1e-9

@@ -14,12 +14,15 @@ import daphnis.core.wave.ModeSums
 /**
  * The [sums] over a population, taken once after a step for any number of outputs: by the threads of this process, or,
  * where nodes hold the spheres, by them. Both give the same bits.
+ *
+ * @property haveGrowth whether spheres grow
  */
 internal class StepSums(
     private val sums: PopulationSums,
     private val spins: SpinSums? = null,
     private val byMaterial: MaterialSums? = null,
     private val modes: ModeSums? = null,
+    val haveGrowth: Boolean = false,
 ) {
     /** Names of the materials that there are sums of. */
     val materials: List<String> get() = byMaterial?.materials.orEmpty()

@@ -12,7 +12,7 @@ public object BuiltIn {
             "paper-figure-1", "paper-figure-2", "paper-figure-3", "elastic-gas", "cooling-gas", "rough-gas",
             "mixture", "shear-cell", "ring-patch", "rough-ring", "satellite-wake", "moonlet", "moonlet-walk",
             "overstability",
-            "self-gravity-wakes",
+            "self-gravity-wakes", "crystal", "glass",
         )
 
     /** The text of the scenario [name], with its comments; null when there is none. */

@@ -40,7 +40,8 @@ public class Surroundings private constructor(
             val box = box(scenario, check)
             val boundary = scenario.boundary.conditions(box, frequencies, source)
             FrameSetup.checkFaces(scenario, boundary, frequencies, check)
-            return Surroundings(box, boundary, frequencies, times.end, times.timeStep)
+            val around = GrowthSetup(scenario, check).boundary(boundary, box)
+            return Surroundings(box, around, frequencies, times.end, times.timeStep)
         }
 
         private fun checkUnits(units: UnitsSpec, check: ValueCheck) {
