@@ -106,9 +106,9 @@ public class Simulation internal constructor(
 
     /**
      * The forces in the order in which they act before the drift. A [Drift] acts next to the drift: last before it,
-     * first after it.
+     * first after it. A boundary that is a [Drift] is one of them.
      */
-    public val forces: List<Force> = forces.sortedBy { it is Drift }
+    public val forces: List<Force> = (forces + listOfNotNull(boundary as? Drift)).sortedBy { it is Drift }
 
     /** What computes the steps; null where spheres pass through one another. */
     internal val workforce: Workforce? = elsewhere ?: collisions?.engine
@@ -125,8 +125,8 @@ public class Simulation internal constructor(
 
     init {
         require(time.isFinite()) { "start time is $startTime; it must be finite" }
-        require(forces.count { it is Drift } <= 1) { "two forces are a Drift; there can be only one" }
-        for (force in forces) force.useLoop(loop)
+        require(this.forces.count { it is Drift } <= 1) { "two forces are a Drift; there can be only one" }
+        for (force in this.forces) force.useLoop(loop)
     }
 
     /**

@@ -33,6 +33,7 @@ internal class PhysicsRows(private val setup: ScenarioSetup, private val say: Qu
         bodies()
         surroundings()
         if (particles.isNotEmpty()) fullness()
+        growth()
         motion()
         collisions()
         rows.add("seed", "${scenario.seed}")
@@ -99,6 +100,18 @@ internal class PhysicsRows(private val setup: ScenarioSetup, private val say: Qu
         val second = scenario.units.timeInSeconds ?: return ""
         fun rate(perTime: Double) = "${number(Math.toDegrees(perTime / second * SECONDS_A_DAY))} degrees a day"
         return "; apses turn by ${rate(orbits.omega - orbits.kappa)}, nodes by ${rate(orbits.omega - orbits.nu)}"
+    }
+
+    private fun growth() {
+        val spec = scenario.growth ?: return
+        val ends = listOfNotNull(
+            spec.untilFillingFactor?.let { "filling factor ${number(it)}" },
+            spec.untilPressure?.let { "reduced pressure ${number(it)}" },
+            "time ${number(scenario.end)}",
+        )
+        val energy = if (spec.thermostat) "kept by a thermostat" else "grows with the work of the surfaces"
+        rows.add("growth", "radii by ${number(spec.rate)} of those at the start per unit of time, to ${ends.joinToString(" or ")}")
+        rows.add("kinetic energy", energy)
     }
 
     private fun fullness() {

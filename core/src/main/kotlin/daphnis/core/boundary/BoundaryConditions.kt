@@ -36,6 +36,13 @@ public interface BoundaryConditions {
     public val shear: ImageShear? get() = null
 
     /**
+     * The rate at which images come nearer, per unit of time: the image m boxes of length L away is displaced by m L (1 −
+     * rate · s), where s is the time since the start of the step. 0, except within a step of a boundary in which spheres
+     * grow; not with a [shear].
+     */
+    public val approach: Double get() = 0.0
+
+    /**
      * The mean flow that the boundary drives, or null when there is none. A granular temperature has to exclude it.
      */
     public val meanFlow: MeanFlow? get() = null

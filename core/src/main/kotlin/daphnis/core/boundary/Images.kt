@@ -4,7 +4,7 @@ package daphnis.core.boundary
  * Periodic images as small integers. A code packs how many boxes away an image is along x, y and z, one signed byte
  * each, so 0 is the sphere itself. In a step that starts at time `t₀`, the image of a sphere is displaced by
  * `shift(code) + s·slide(code)`, where s is the time since the start of the step. It moves with `slide(code)` relative
- * to its original.
+ * to its original: along the faces of a sheared box, or towards it where spheres grow.
  *
  * Negating a code negates every one of these numbers exactly, so a pair has the same contact time from either side.
  */
@@ -19,6 +19,10 @@ public class Images {
     public var slideAxis: Int = -1
         private set
     private var velocity = 0.0
+
+    /** See [BoundaryConditions.approach]. */
+    public var approach: Double = 0.0
+        private set
     private var offset = 0.0
 
     /** Takes over the images of [boundary] at [time], the start of a step. */
@@ -31,6 +35,7 @@ public class Images {
         slideAxis = shear?.slideAxis ?: -1
         velocity = shear?.velocity ?: 0.0
         offset = shear?.offset(time) ?: 0.0
+        approach = boundary.approach
     }
 
     /** Distance of consecutive images along [axis]; 0 when there are none. */
@@ -46,6 +51,8 @@ public class Images {
     /** Velocity along [axis] relative to the original. */
     public fun slide(code: Int, axis: Int): Double = if (code != 0 && axis == slideAxis) {
         component(code, normalAxis) * velocity
+    } else if (code != 0 && approach != 0.0) {
+        -(component(code, axis) * length[axis] * approach)
     } else {
         0.0
     }

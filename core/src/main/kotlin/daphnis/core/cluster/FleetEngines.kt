@@ -1,6 +1,7 @@
 package daphnis.core.cluster
 
 import daphnis.core.RemoteSteps
+import daphnis.core.compression.GrowingSpheres
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.engine.EngineFactory
@@ -45,7 +46,7 @@ public class FleetEngines internal constructor(
     /**
      * The steps of the run of [setup], from [state] at [time] after [step].
      *
-     * @throws InputException for a force that needs all spheres in one place
+     * @throws InputException for a force that needs all spheres in one place, and for spheres that grow
      */
     internal fun steps(
         setup: ScenarioSetup,
@@ -55,6 +56,9 @@ public class FleetEngines internal constructor(
         time: Double,
         step: Long,
     ): RemoteSteps {
+        if (setup.boundary is GrowingSpheres) {
+            throw InputException(source, "growth", "is not computed by nodes yet; run it on one machine")
+        }
         if (setup.forces.any { it is MutualGravity && it !is RadialGravity }) {
             val mend = "has self-gravity, which nodes cannot compute yet; run it on one machine, or take radial-modes"
             throw InputException(source, "forces", mend)

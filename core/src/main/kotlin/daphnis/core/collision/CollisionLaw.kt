@@ -82,7 +82,7 @@ public class CollisionLaw @JvmOverloads constructor(
             val q = second * STRIDE + VX
             val ux = state[q] - state[p] + images.slide(image, 0)
             val uy = state[q + 1] - state[p + 1] + images.slide(image, 1)
-            val uz = state[q + 2] - state[p + 2]
+            val uz = state[q + 2] - state[p + 2] + images.slide(image, 2)
             val b = dx * ux + dy * uy + dz * uz
             if (b >= 0.0) return false
             val d2 = dx * dx + dy * dy + dz * dz
@@ -103,7 +103,7 @@ public class CollisionLaw @JvmOverloads constructor(
             val m1 = rows.mass[first]
             val m2 = rows.mass[second]
             outcome.impulse = (1.0 + outcome.coefficient) * outcome.impactSpeed * (m1 * m2 / (m1 + m2))
-            separate(rows, first, second, images.slide(image, 0), images.slide(image, 1), outcome)
+            separate(rows, first, second, image, images, outcome)
         }
         outcome.rank = 1 + maxOf(rows.rank(first), rows.rank(second))
         rows.marks[first * MARKS] = outcome.rank
@@ -201,13 +201,13 @@ public class CollisionLaw @JvmOverloads constructor(
         rows: StepRows,
         first: Int,
         second: Int,
-        slideX: Double,
-        slideY: Double,
+        image: Int,
+        images: Images,
         outcome: CollisionOutcome,
     ) {
-        var b = approach(rows, first, second, slideX, slideY, outcome)
-        val fastest =
-            maxOf(rows.fastestComponent(first), rows.fastestComponent(second), maxOf(abs(slideX), abs(slideY)))
+        var b = approach(rows, first, second, image, images, outcome)
+        var fastest = maxOf(rows.fastestComponent(first), rows.fastestComponent(second))
+        for (axis in 0..2) fastest = maxOf(fastest, abs(images.slide(image, axis)))
         val rounding = VELOCITY_ROUNDING * fastest
         if (b >= 0.0 && outcome.impactSpeed > rounding) return
         val dx = outcome.separationX
@@ -218,7 +218,7 @@ public class CollisionLaw @JvmOverloads constructor(
         do {
             exchange(rows, first, second, more, outcome)
             more *= 2
-            b = approach(rows, first, second, slideX, slideY, outcome)
+            b = approach(rows, first, second, image, images, outcome)
         } while (b < 0.0)
     }
 
@@ -232,16 +232,16 @@ public class CollisionLaw @JvmOverloads constructor(
         rows: StepRows,
         first: Int,
         second: Int,
-        slideX: Double,
-        slideY: Double,
+        image: Int,
+        images: Images,
         outcome: CollisionOutcome,
     ): Double {
         val state = rows.state
         val p = first * STRIDE + VX
         val q = second * STRIDE + VX
-        val ux = state[q] - state[p] + slideX
-        val uy = state[q + 1] - state[p + 1] + slideY
-        val uz = state[q + 2] - state[p + 2]
+        val ux = state[q] - state[p] + images.slide(image, 0)
+        val uy = state[q + 1] - state[p + 1] + images.slide(image, 1)
+        val uz = state[q + 2] - state[p + 2] + images.slide(image, 2)
         return outcome.separationX * ux + outcome.separationY * uy + outcome.separationZ * uz
     }
 }

@@ -35,12 +35,14 @@ public fun contactTime(a: DoubleArray, p: Int, b: DoubleArray, q: Int, image: In
     val dtQ = t - b[q + TIME]
     val ux = b[q + VX] - a[p + VX] + images.slide(image, 0)
     val uy = b[q + VX + 1] - a[p + VX + 1] + images.slide(image, 1)
-    val uz = b[q + VX + 2] - a[p + VX + 2]
+    val uz = b[q + VX + 2] - a[p + VX + 2] + images.slide(image, 2)
     val dx = (b[q] + b[q + VX] * dtQ) - (a[p] + a[p + VX] * dtP) + (images.shift(image, 0) + images.slide(image, 0) * t)
     val dy =
         (b[q + 1] + b[q + VX + 1] * dtQ) - (a[p + 1] + a[p + VX + 1] * dtP) +
             (images.shift(image, 1) + images.slide(image, 1) * t)
-    val dz = (b[q + 2] + b[q + VX + 2] * dtQ) - (a[p + 2] + a[p + VX + 2] * dtP) + images.shift(image, 2)
+    val dz =
+        (b[q + 2] + b[q + VX + 2] * dtQ) - (a[p + 2] + a[p + VX + 2] * dtP) +
+            (images.shift(image, 2) + images.slide(image, 2) * t)
     return t + timeToContact(dx, dy, dz, ux, uy, uz, a[p + RADIUS] + b[q + RADIUS])
 }
 
@@ -62,7 +64,7 @@ internal inline fun <R> separation(
     val q = second * STRIDE
     val dx = state[q] - state[p] + (images.shift(image, 0) + images.slide(image, 0) * time)
     val dy = state[q + 1] - state[p + 1] + (images.shift(image, 1) + images.slide(image, 1) * time)
-    val dz = state[q + 2] - state[p + 2] + images.shift(image, 2)
+    val dz = state[q + 2] - state[p + 2] + (images.shift(image, 2) + images.slide(image, 2) * time)
     return use(dx, dy, dz)
 }
 

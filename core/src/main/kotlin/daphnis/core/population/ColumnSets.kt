@@ -59,6 +59,11 @@ internal class ColumnSets(now: PopulationColumns) {
         now = columns
     }
 
+    /** Ensures that [now] has radii of its own, so that the step can change them and be taken back. */
+    fun separateRadii() {
+        if (now.fixed === before?.fixed) now.fixed = now.fixed.withOwnRadii()
+    }
+
     /** Begins a step that can be taken back until [commit]. */
     fun begin() {
         before = now

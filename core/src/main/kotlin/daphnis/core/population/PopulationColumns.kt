@@ -89,6 +89,9 @@ internal class PopulationColumns(private val numbers: Array<DoubleArray>, id: In
         private fun isThere(place: Int, optional: Int) = SphereQuantity.at(place).isIn(optional)
 
         private val FIXED = SphereQuantity.places { it.change == NEVER }
+
+        /** Where radii are among the fixed columns. */
+        val RADII: Int = FIXED.indexOf(SphereQuantity.RADIUS.place)
         private val NOTES = SphereQuantity.places { it.change == NOTED }
 
         /** Columns of the set that a step without collisions copies. */
@@ -143,6 +146,20 @@ internal class PopulationColumns(private val numbers: Array<DoubleArray>, id: In
 /** The columns of spheres that no step changes, in the order of their places, and the ids. */
 internal class FixedColumns(val numbers: Array<DoubleArray>, val id: IntArray) {
     val size: Int get() = id.size
+
+    /** The same columns with a copy of the radii. */
+    fun withOwnRadii(): FixedColumns = FixedColumns(
+        Array(numbers.size) {
+            if (it ==
+                PopulationColumns.RADII
+            ) {
+                numbers[it].copyOf()
+            } else {
+                numbers[it]
+            }
+        },
+        id,
+    )
 
     /** Columns of the same kind for [size] spheres. */
     fun empty(size: Int): FixedColumns =

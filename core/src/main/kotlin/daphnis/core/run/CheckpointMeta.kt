@@ -2,6 +2,8 @@ package daphnis.core.run
 
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.collision.Counter
+import kotlinx.serialization.EncodeDefault
+import kotlinx.serialization.ExperimentalSerializationApi
 import kotlinx.serialization.Serializable
 
 /**
@@ -15,8 +17,11 @@ import kotlinx.serialization.Serializable
  * @property whole files that are written anew with each checkpoint, by name; with `summary.json` in the last checkpoint
  *   of a run
  *
+ * @property reducedPressure where spheres grow, that of the last step
+ *
  * @property losses what was lost of tables, and accepted on a resume, since the start of the run; one line each
  */
+@OptIn(ExperimentalSerializationApi::class)
 @Serializable
 internal class CheckpointMeta(
     val step: Long,
@@ -26,6 +31,7 @@ internal class CheckpointMeta(
     val appended: Map<String, FileMark> = emptyMap(),
     val whole: Map<String, FileMark> = emptyMap(),
     val losses: List<String> = emptyList(),
+    @EncodeDefault(EncodeDefault.Mode.NEVER) val reducedPressure: Double? = null,
 ) {
     init {
         val lacks = Counter.entries.find { it.isOfTrajectory && it.key !in counted }
@@ -41,6 +47,7 @@ internal class CheckpointMeta(
         appended,
         whole,
         losses,
+        reducedPressure,
     )
 
     /** Sets [counters] to the stored counts. */

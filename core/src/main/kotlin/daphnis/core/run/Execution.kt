@@ -4,6 +4,7 @@ import daphnis.core.Opening
 import daphnis.core.OutputState
 import daphnis.core.cluster.FleetException
 import daphnis.core.collision.CollisionCounters
+import daphnis.core.compression.GrowingSpheres
 import java.io.IOException
 import java.util.function.BooleanSupplier
 
@@ -24,7 +25,7 @@ internal class Execution(
     private val begin = System.nanoTime()
     private fun seconds() = secondsBefore + (System.nanoTime() - begin) * 1e-9
 
-    private fun isDone(): Boolean = simulation.time >= plan.until - plan.endSlack
+    private fun isDone(): Boolean = simulation.time >= plan.until - plan.endSlack || plan.isOver()
 
     /** Advances to the end, as [Run.execute] says. */
     fun carryOut(cancelled: BooleanSupplier): Summary = try {
@@ -117,6 +118,7 @@ internal class Execution(
             CheckpointMeta.counted(simulation.collisions?.counters ?: CollisionCounters()),
             wallSeconds,
             losses = from?.losses.orEmpty(),
+            reducedPressure = (simulation.boundary as? GrowingSpheres)?.reducedPressure?.takeIf { it.isFinite() },
         )
         val population = simulation.population
         files.writer.state(SpheresById.bytes(population), { SpheresById(population) }) { spheres ->

@@ -4,6 +4,7 @@ import daphnis.core.Output
 import daphnis.core.Simulation
 import daphnis.core.boundary.hasDrivenWalls
 import daphnis.core.cluster.FleetEngines
+import daphnis.core.compression.GrowingSpheres
 import daphnis.core.engine.EngineFactory
 import daphnis.core.engine.SerialEngine
 import daphnis.core.population.MaterialSums
@@ -43,7 +44,14 @@ internal class RunPlan(
         materialSums(simulation, scenario),
         if (ModesOutput.times(output).isNever) null else ModeSums(output.modes, simulation.boundary, sums.firstBody),
         simulation.boundary.hasDrivenWalls,
+        simulation.boundary is GrowingSpheres,
     )
+
+    /** Whether the run ends before [until], with the present state. */
+    fun isOver(): Boolean {
+        val growth = simulation.boundary as? GrowingSpheres ?: return false
+        return scenario?.growth?.isOver(simulation.population, growth) ?: false
+    }
 
     override fun close() {
         simulation.close()
@@ -83,6 +91,7 @@ internal fun planOf(
     val simulation = closingIfItThrows(nodes?.fleet ?: engine) {
         val forcing = setup.collisions(engine, records)
         meta?.countInto(forcing.counters)
+        meta?.reducedPressure?.let { (setup.boundary as? GrowingSpheres)?.reducedPressure = it }
         val time = meta?.time ?: scenario.startTime
         val step = meta?.step ?: 0
         val elsewhere = nodes?.steps(setup, source, setup.population, forcing, time, step)

@@ -1,5 +1,6 @@
 package daphnis.core.run
 
+import daphnis.core.scenario.GrowthSpec
 import daphnis.core.scenario.InputException
 import daphnis.core.scenario.OutputSpec
 import daphnis.core.scenario.Scenario
@@ -14,7 +15,7 @@ import kotlinx.serialization.json.JsonObject
  * The differences between the scenario with which a run was made and the one that its directory holds now.
  *
  * @property essential changes that would make another run of it, one line each: all except those that affect no bit of
- *   a state, which are name and description, the end, engine and search, and how often outputs are written; but
+ *   a state, which are name and description, the end, that of growth too, engine and search, and how often outputs are written; but
  *   the intervals of outputs do where they shorten steps
  *
  * @property harmless the other changes, one line each
@@ -29,6 +30,7 @@ internal class ScenarioChanges private constructor(
 
     companion object {
         private val FREE = setOf("name", "description", "until", "untilOrbits", "engine", "search")
+        private val GOALS = setOf(GrowthSpec::untilFillingFactor, GrowthSpec::untilPressure).map { "growth.${it.name}" }
         private val CHECKPOINTS =
             setOf(OutputSpec::checkpointEvery, OutputSpec::checkpointInterval).map { "output.${it.name}" }
         private const val LONGEST = 60
@@ -67,7 +69,7 @@ internal class ScenarioChanges private constructor(
     }
 
     private fun isFree(path: String): Boolean {
-        if (path.substringBefore('.') in FREE || path in CHECKPOINTS) return true
+        if (path.substringBefore('.') in FREE || path in CHECKPOINTS || path in GOALS) return true
         if (path == MODES) return ModesOutput.times(then).isNever
         val output = PeriodicOutputs.all.find { path == "output.${it.key}" || path == "output.${it.intervalKey}" }
             ?: return false

@@ -2,6 +2,7 @@ package daphnis.core.run
 
 import daphnis.core.Output
 import daphnis.core.Simulation
+import daphnis.core.compression.GrowingSpheres
 import daphnis.core.force.Drift
 import daphnis.core.population.MaterialSums
 import daphnis.core.population.PopulationSums
@@ -28,7 +29,7 @@ internal object SeriesOutput : PeriodicOutput("series", OutputSpec::seriesEvery,
 
 /** `series.csv`: a row at each of [times]. */
 internal class Series(private val times: OutputTimes, private val sums: StepSums, files: RunFiles) : Output {
-    private val rows = SeriesColumns.of(sums.haveSpins, sums.materials)
+    private val rows = SeriesColumns.of(sums.haveSpins, sums.materials, sums.haveGrowth)
     private val file = files.table(rows)
 
     override fun write(simulation: Simulation) {
@@ -49,6 +50,9 @@ internal class SeriesRow(val simulation: Simulation, stepSums: StepSums) {
     /** Null where spheres have no materials. */
     val materials: MaterialSums? = stepSums.materials(simulation)
 
+    /** Null where spheres do not grow. */
+    val growth: GrowingSpheres? = simulation.boundary as? GrowingSpheres
+
     /** The total angular momentum along [axis], NaN where space repeats or turns. */
     fun angularMomentum(axis: Int): Double {
         val repeats = (0..2).any { simulation.boundary.repeats(it) }
@@ -59,7 +63,8 @@ internal class SeriesRow(val simulation: Simulation, stepSums: StepSums) {
 
 /**
  * The columns of `series.csv`; `docs/guide.md` says what they mean. A further quantity is a further line here. Those from
- * [ROTATIONAL_ENERGY] on are only there where spheres have spins.
+ * [ROTATIONAL_ENERGY] on are only there where spheres have spins, [FILLING_FACTOR] and [REDUCED_PRESSURE] where they
+ * grow.
  */
 public object SeriesColumns : TableColumns {
     internal val rows = Columns<SeriesRow>("series.csv")
@@ -126,6 +131,16 @@ public object SeriesColumns : TableColumns {
         Dimension.ACTION,
     ) { row, axis -> row.angularMomentum(axis) }
 
+    @JvmField
+    public val FILLING_FACTOR: Column = rows.number("filling_factor") { row ->
+        row.growth?.fillingFactor(row.simulation.population) ?: Double.NaN
+    }
+
+    @JvmField
+    public val REDUCED_PRESSURE: Column =
+        rows.number("reduced_pressure") { it.growth?.reducedPressure ?: Double.NaN }
+
+    private val ofGrowth = setOf(FILLING_FACTOR, REDUCED_PRESSURE)
     private val ofRotation = MEAN_SPIN.toSet() + ANGULAR_MOMENTUM + ROTATIONAL_ENERGY + ROTATIONAL_TEMPERATURE
 
     /** Name of the column of the partial temperature ⟨m c²⟩/3 of [material], an energy, in runs with materials. */
@@ -133,8 +148,8 @@ public object SeriesColumns : TableColumns {
     public fun temperatureOf(material: String): String = "temperature_$material"
 
     /** The columns of a run, with one for each of [materials] at the end. */
-    internal fun of(hasSpins: Boolean, materials: List<String>): Columns<SeriesRow> =
-        rows.without(if (hasSpins) emptySet() else ofRotation).also { all ->
+    internal fun of(hasSpins: Boolean, materials: List<String>, grow: Boolean = false): Columns<SeriesRow> =
+        rows.without((if (hasSpins) emptySet() else ofRotation) + (if (grow) emptySet() else ofGrowth)).also { all ->
             materials.forEachIndexed { k, name ->
                 all.number(temperatureOf(name), Dimension.ENERGY) { it.materials?.temperature(k) ?: Double.NaN }
             }

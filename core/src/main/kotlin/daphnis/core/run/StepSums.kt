@@ -16,6 +16,7 @@ import daphnis.core.wave.ModeSums
  * where nodes hold the spheres, by them. Both give the same bits.
  *
  * @property areWallsDriven whether any wall moves or is thermal
+ * @property haveGrowth whether spheres grow
  */
 internal class StepSums(
     private val sums: PopulationSums,
@@ -23,6 +24,7 @@ internal class StepSums(
     private val byMaterial: MaterialSums? = null,
     private val modes: ModeSums? = null,
     val areWallsDriven: Boolean = false,
+    val haveGrowth: Boolean = false,
 ) {
     /** Names of the materials that there are sums of. */
     val materials: List<String> get() = byMaterial?.materials.orEmpty()

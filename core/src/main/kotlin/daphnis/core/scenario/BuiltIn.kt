@@ -13,7 +13,7 @@ public object BuiltIn {
             "rough-gas", "mixture", "vibrated-bed", "shear-cell", "ring-patch", "rough-ring", "satellite-wake",
             "moonlet", "moonlet-walk",
             "overstability",
-            "self-gravity-wakes",
+            "self-gravity-wakes", "crystal", "glass",
         )
 
     /** The text of the scenario [name], with its comments; null when there is none. */

@@ -4,6 +4,7 @@ import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.hasMovingWalls
 import daphnis.core.boundary.roomAt
+import daphnis.core.compression.GrownPlacement
 import daphnis.core.format.Snapshot
 import daphnis.core.initial.Crowding
 import daphnis.core.initial.Lattice
@@ -51,7 +52,11 @@ internal class InitialState(
         val positions = try {
             if (placement is PlacementSpec.Lattice) {
                 check.must("bodies", scenario.bodies.isEmpty()) { "need random placement, which goes around them" }
-                LatticePlacement(lattice(placement)).place(radii, room, walled(), stream(PLACES))
+                lattice(placement).place(radii, room, walled(), stream(PLACES))
+            } else if (placement is PlacementSpec.Grown) {
+                check.must("bodies", scenario.bodies.isEmpty()) { "need random placement, which goes around them" }
+                val grown = GrownPlacement(scenario.engine.threadsAtStart)
+                if (isPlaced) grown.place(radii, room, walled(), stream(PLACES)) else grown.middle(radii, room, walled())
             } else if (!isPlaced) {
                 Crowding.check(radii, room, walled())
                 Positions(DoubleArray(radii.size), DoubleArray(radii.size), DoubleArray(radii.size))
@@ -97,20 +102,27 @@ internal class InitialState(
 
     private fun stream(purpose: Long) = SeededRandom(scenario.seed * STREAMS + purpose)
 
-    private fun lattice(spec: PlacementSpec.Lattice) = if (spec.lattice == LatticeName.CUBIC) {
-        Lattice.SIMPLE_CUBIC
-    } else {
-        Lattice.FACE_CENTRED_CUBIC
+    private fun lattice(spec: PlacementSpec.Lattice): LatticePlacement {
+        check.that("placement.vacancies", spec.vacancies, spec.vacancies >= 0 && spec.vacancies < 1) {
+            "must be a share of the sites, at least 0 and less than 1"
+        }
+        val lattice = when (spec.lattice) {
+            LatticeName.CUBIC -> Lattice.SIMPLE_CUBIC
+            LatticeName.FCC -> Lattice.FACE_CENTRED_CUBIC
+            LatticeName.BCC -> Lattice.BODY_CENTRED_CUBIC
+            LatticeName.HCP -> Lattice.HEXAGONAL_CLOSE_PACKED
+        }
+        return LatticePlacement(lattice, spec.vacancies)
     }
 
     /** Along axes on which the box does not repeat, a sphere is placed wholly inside. */
     private fun walled(): BooleanArray = BooleanArray(3) { !boundary.repeats(it) }
 
-    private companion object {
+    companion object {
         const val STREAMS = 4L
-        const val SIZES = 0L
+        private const val SIZES = 0L
         const val PLACES = 1L
-        const val VELOCITIES = 2L
-        const val SPINS = 3L
+        private const val VELOCITIES = 2L
+        private const val SPINS = 3L
     }
 }

@@ -171,7 +171,7 @@ internal class OverlapRepair(
     companion object {
         /** The deepest overlap that is taken away: more is no rounding and no soft contact. */
         const val DEEPEST = 0.1
-        const val WAY_OUT = "placement.overlaps: \"shrink\" or \"relax\" takes such overlaps away"
+        const val WAY_OUT = "placement.overlaps: \"shrink\", \"relax\" or \"grow\" takes such overlaps away"
 
         /** Sweeps until it is given up. */
         const val MOST_SWEEPS = 2000

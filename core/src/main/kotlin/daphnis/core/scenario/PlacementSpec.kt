@@ -1,5 +1,7 @@
 package daphnis.core.scenario
 
+import kotlinx.serialization.EncodeDefault
+import kotlinx.serialization.ExperimentalSerializationApi
 import kotlinx.serialization.SerialName
 import kotlinx.serialization.Serializable
 
@@ -9,10 +11,22 @@ public sealed interface PlacementSpec {
     @SerialName("random")
     public class Random : PlacementSpec
 
-    /** @property lattice `fcc` or `cubic` */
+    /**
+     * At random, and where that is too dense smaller ones at random, which grow while they collide; see
+     * [daphnis.core.compression.GrownPlacement].
+     */
+    @Serializable
+    @SerialName("grown")
+    public class Grown : PlacementSpec
+
+    /** @property vacancies share of the sites that stay empty, in [0, 1) */
+    @OptIn(ExperimentalSerializationApi::class)
     @Serializable
     @SerialName("lattice")
-    public class Lattice @JvmOverloads constructor(public val lattice: LatticeName = LatticeName.FCC) : PlacementSpec
+    public class Lattice @JvmOverloads constructor(
+        public val lattice: LatticeName = LatticeName.FCC,
+        @EncodeDefault(EncodeDefault.Mode.NEVER) public val vacancies: Double = 0.0,
+    ) : PlacementSpec
 
     /**
      * Positions, velocities, radii, masses and ids from a file of any [daphnis.core.format.SnapshotFormat]; [path] is
@@ -67,6 +81,13 @@ public enum class OverlapsName {
     /** Spheres that overlap are moved apart; radii and velocities stay. */
     @SerialName("relax")
     RELAX,
+
+    /**
+     * Radii shrink until none overlap, and then grow back while spheres collide; velocities stay. The box repeats along
+     * all axes.
+     */
+    @SerialName("grow")
+    GROW,
 }
 
 @Serializable
@@ -76,4 +97,10 @@ public enum class LatticeName {
 
     @SerialName("cubic")
     CUBIC,
+
+    @SerialName("bcc")
+    BCC,
+
+    @SerialName("hcp")
+    HCP,
 }

@@ -44,6 +44,7 @@ public data class Scenario @JvmOverloads constructor(
     override val roughness: RoughnessSpec? = null,
     override val spins: SpinsSpec? = null,
     @EncodeDefault(EncodeDefault.Mode.NEVER) override val contacts: List<ContactSpec> = emptyList(),
+    override val growth: GrowthSpec? = null,
     /** From a [ResolvedScenario] that was written to a file; a new initial state has its own. */
     internal val firstBody: Int? = null,
 ) : ScenarioParts {

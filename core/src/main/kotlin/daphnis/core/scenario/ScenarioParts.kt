@@ -26,6 +26,9 @@ public interface ScenarioParts {
 
     /** What is different in contacts of certain materials. */
     public val contacts: List<ContactSpec>
+
+    /** How spheres grow; null for spheres that do not. */
+    public val growth: GrowthSpec?
     public val forces: List<ForceSpec>
     public val search: SearchStructure
     public val engine: EngineSpec

@@ -120,7 +120,8 @@ public class ScenarioSetup private constructor(
          */
         @JvmStatic
         public fun check(scenario: Scenario, source: String) {
-            make(scenario, source, null, null, scenario.placement !is PlacementSpec.Random)
+            val isDrawn = scenario.placement is PlacementSpec.Random || scenario.placement is PlacementSpec.Grown
+            make(scenario, source, null, null, !isDrawn)
         }
 
         /** @param start the state to start from, in place of one from the file of the placement */
@@ -153,8 +154,9 @@ public class ScenarioSetup private constructor(
             val guardSpec = resolve(scenario.guard ?: defaultGuard(scenario), population, check)
             val timeStepSpec = resolve(around.timeStep, around, population)
             val resolved = ResolvedScenario(scenario, around.end, guardSpec, timeStepSpec, firstBody, output)
-            val timeStep = timeStep(resolved, boundary, check)
+            val timeStep = timeStep(resolved, boundary, GrowthSetup(scenario, check).longest(), check)
             checkSteps(resolved, timeStep.next(population), check)
+            if (state == null) GrowthSetup(scenario, check).checkStart(population, around.box, around.end)
             if (state == null) StartCheck(scenario, population, boundary, check, around.end).check(timeStep, isPlaced)
             if (state == null && (isPlaced || timeStep is FixedTimeStep)) {
                 val likeThem = forceSetup.forces(around.boundary, firstBody)
@@ -218,13 +220,18 @@ public class ScenarioSetup private constructor(
             else -> spec
         }
 
-        private fun timeStep(scenario: ResolvedScenario, boundary: BoundaryConditions, check: ValueCheck): TimeStep =
+        private fun timeStep(
+            scenario: ResolvedScenario,
+            boundary: BoundaryConditions,
+            most: Double,
+            check: ValueCheck,
+        ): TimeStep =
             when (val spec = scenario.timeStep) {
                 is TimeStepSpec.Automatic -> {
                     val path = spec.path ?: 0.0
                     check.positive("timeStep.path", path)
                     val stops = Stops(scenario.output.stops().map { Interval(it) }, scenario.end)
-                    val longest = minOf(scenario.end - scenario.startTime, FreePath.longest(boundary))
+                    val longest = minOf(scenario.end - scenario.startTime, FreePath.longest(boundary), most)
                     FreePathTimeStep(path, longest, boundary.meanFlow, stops)
                 }
                 is TimeStepSpec.OrbitFraction -> error("times are written out before")

@@ -4,7 +4,11 @@ import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.ContactFaces
 import daphnis.core.boundary.roomAt
 import daphnis.core.boundary.wrap
+import daphnis.core.compression.GrownPlacement
 import daphnis.core.format.Snapshot
+import daphnis.core.initial.PlacementException
+import daphnis.core.initial.Positions
+import daphnis.core.initial.SeededRandom
 import daphnis.core.population.Population
 import daphnis.core.population.PopulationColumns
 import java.math.BigDecimal
@@ -33,6 +37,7 @@ internal class StateRepair(
             OverlapsName.REFUSE -> requireOffWalls(population, snapshot.shift)
             OverlapsName.SHRINK -> shrink(repair)
             OverlapsName.RELAX -> relax(repair)
+            OverlapsName.GROW -> grow(population, repair)
         }
         // A run counts the boxes crossed from its start on.
         return Population(PopulationColumns.joined(listOf(population)), population.materials)
@@ -113,6 +118,28 @@ internal class StateRepair(
         val spheres = if (moved.count == 1) "1 sphere is" else "${moved.count} spheres are"
         notices += "${spec.path}: spheres overlap by up to ${shown(deepest)} of the sum of their radii; " +
             "$spheres moved by up to ${shown(moved.farthest)} (placement.overlaps), velocities stay"
+    }
+
+    private fun grow(population: Population, repair: OverlapRepair) {
+        val deepest = allowed(repair) ?: return
+        check.must("placement.overlaps", (0..2).all { boundary.hasImages(it) } && boundary.shear == null) {
+            "is grow; it needs a box that repeats along all axes and is not sheared"
+        }
+        val radii = population.radius.copyOf()
+        val factor = repair.shrink()
+        val start = Positions(population.x, population.y, population.z)
+        val random = SeededRandom(scenario.seed * InitialState.STREAMS + InitialState.PLACES)
+        val places = try {
+            GrownPlacement(scenario.engine.threadsAtStart).grown(start, radii, factor, boundary.box, random)
+        } catch (e: PlacementException) {
+            check.fail("placement.overlaps", "is grow; ${e.message}")
+        }
+        places.x.copyInto(population.x)
+        places.y.copyInto(population.y)
+        places.z.copyInto(population.z)
+        radii.copyInto(population.radius)
+        notices += "${spec.path}: spheres overlap by up to ${shown(deepest)} of the sum of their radii; radii were " +
+            "multiplied by $factor and grown back (placement.overlaps), so spheres have moved, and velocities stay"
     }
 
     /** How deep the deepest overlap is; null when there is none that matters. */

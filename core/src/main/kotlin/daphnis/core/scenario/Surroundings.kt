@@ -45,7 +45,8 @@ public class Surroundings private constructor(
                 spec.conditions(box, frequencies, source)
             }
             FrameSetup.checkFaces(scenario, boundary, frequencies, check)
-            return Surroundings(box, boundary, frequencies, times.end, times.timeStep)
+            val around = GrowthSetup(scenario, check).boundary(boundary, box)
+            return Surroundings(box, around, frequencies, times.end, times.timeStep)
         }
 
         private fun checkUnits(units: UnitsSpec, check: ValueCheck) {

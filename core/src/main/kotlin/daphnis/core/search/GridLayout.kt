@@ -37,8 +37,8 @@ internal class GridLayout : CellAxes() {
     val first = IntArray(3)
 
     /**
-     * Largest radius and reach of other spheres together, with room for rounding; has to be added to a sphere's path
-     * and radius.
+     * Largest radius and reach of other spheres together, with room for rounding, and for images that approach; has to be
+     * added to a sphere's path and radius.
      */
     val margin = DoubleArray(3)
 
@@ -82,7 +82,7 @@ internal class GridLayout : CellAxes() {
             low[k] = space.from[axes[k]]
             length[k] = space.size[axes[k]]
             span[k] = space.span[axes[k]]
-            layOutAxis(k, boundary, reach[axes[k]], duration)
+            layOutAxis(k, boundary, images, reach[axes[k]], duration)
         }
         limitCells()
         settle()
@@ -96,10 +96,13 @@ internal class GridLayout : CellAxes() {
         }
     }
 
-    private fun layOutAxis(k: Int, boundary: BoundaryConditions, reach: Double, duration: Double) {
+    private fun layOutAxis(k: Int, boundary: BoundaryConditions, images: Images, reach: Double, duration: Double) {
         val axis = axes[k]
         isPeriodic[k] = boundary.hasImages(axis)
         margin[k] = (largest + reach) * (1 + SLACK) + ImageRange.rounding(low[k], low[k] + length[k])
+        if (isPeriodic[k] && images.approach != 0.0) {
+            margin[k] = ImageRange.marginWithApproach(margin[k], length[k], images.approach * duration)
+        }
         ownMargin[k] = margin[k] - reach
         // The largest distance that a pair can bridge.
         val range = 2 * margin[k]

@@ -41,8 +41,19 @@ internal object ImageRange {
     fun mostReach(boundary: BoundaryConditions, axis: Int, largest: Double, duration: Double): Double {
         if (!boundary.hasImages(axis)) return Double.POSITIVE_INFINITY
         val box = boundary.box
-        val margin = box.length(axis) * boxes(boundary, axis, duration) / 2
+        val range = box.length(axis) * boxes(boundary, axis, duration) / 2
+        val approached = abs(boundary.approach) * duration
+        val margin = range * (1 - 2 * approached) - box.length(axis) * approached
         return (margin - rounding(box.lower(axis), box.upper(axis))) * (1 - 2 * SLACK) - largest
+    }
+
+    /**
+     * The [margin] along an axis of [length] where images come nearer by the part [approached] of their distance within a
+     * step. One that is searched is at most 2 [margin] over [length] and one box away, and cells do not know that it moves.
+     */
+    fun marginWithApproach(margin: Double, length: Double, approached: Double): Double {
+        val a = abs(approached)
+        return (margin + a * length) / (1 - 2 * a)
     }
 
     fun refusal(axis: Int): String =

@@ -77,9 +77,10 @@ internal class GridCandidates(private val step: PreparedStep) : Candidates {
             val image = near.image[r]
             val wx = images.slide(image, 0)
             val wy = images.slide(image, 1)
+            val wz = images.slide(image, 2)
             val sx = images.shift(image, 0) + wx * time
             val sy = images.shift(image, 1) + wy * time
-            val sz = images.shift(image, 2)
+            val sz = images.shift(image, 2) + wz * time
             var q = near.from[r] * STRIDE
             val end = near.to[r] * STRIDE
             while (q < end) {
@@ -91,7 +92,7 @@ internal class GridCandidates(private val step: PreparedStep) : Candidates {
                 val dy = (if (hasMoved) state[q + 1] + vqy * elapsed else state[q + 1]) - y + sy
                 val dz = (if (hasMoved) state[q + 2] + vqz * elapsed else state[q + 2]) - z + sz
                 val s = radius + state[q + RADIUS]
-                ifApproaching(dx, dy, dz, vqx - vx + wx, vqy - vy + wy, vqz - vz, s, closing) { a, b, c ->
+                ifApproaching(dx, dy, dz, vqx - vx + wx, vqy - vy + wy, vqz - vz + wz, s, closing) { a, b, c ->
                     found(q / STRIDE, image, a, b, c)
                 }
                 q += STRIDE

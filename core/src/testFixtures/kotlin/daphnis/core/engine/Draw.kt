@@ -15,6 +15,7 @@ import daphnis.core.collision.ConstantRestitution
 import daphnis.core.collision.ContactDurationGuard
 import daphnis.core.collision.FloorSpeedGuard
 import daphnis.core.collision.NoGuard
+import daphnis.core.compression.GrowingSpheres
 import daphnis.core.force.Force
 import daphnis.core.force.SelfGravity
 import daphnis.core.force.thermostat.Andersen
@@ -153,9 +154,17 @@ class Draw(override val seed: Long) : Case {
         return surface.of(Population(x, y, z, gauss(), gauss(), gauss(), radii, masses))
     }
 
+    /** In some of the boxes that repeat spheres grow or shrink. */
+    private fun around(): BoundaryConditions {
+        val isWhole = boundary is Periodic && (0..2).all { boundary.hasImages(it) }
+        if (!isWhole || seed % 4 == 0L) return boundary
+        val most = if (filling < 0.2 && !clumped) 0.05 else 0.002
+        return GrowingSpheres(box, (if (seed % 8 == 1L) -most else most) / dt, -dt, thermostat = seed % 3 != 0L)
+    }
+
     override fun simulation(engine: CollisionEngine) = Simulation(
         population.copy(),
-        boundary,
+        around(),
         CollisionForcing(
             surface.law(restitution),
             guard,
@@ -195,5 +204,5 @@ class Draw(override val seed: Long) : Case {
 
     override fun toString() =
         "seed $seed: ${population.size} spheres, filling $filling${if (clumped) ", clumped" else ""}, " +
-            "${boundary.javaClass.simpleName}, dt $dt$surface"
+            "${around().javaClass.simpleName}, dt $dt$surface"
 }

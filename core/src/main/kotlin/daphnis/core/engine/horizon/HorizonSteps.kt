@@ -95,7 +95,12 @@ public class HorizonSteps internal constructor(
             return true
         }
         filters.passed(size)
-        if (size < maxOf(fewest, 1) || !(isEager && tuning != null) && epoch.plan.rests()) {
+        // Lines know of images that slide along rows alone.
+        if (size < maxOf(fewest, 1) ||
+            step.boundary.approach != 0.0 ||
+            !(isEager && tuning != null) &&
+            epoch.plan.rests()
+        ) {
             epoch.drop()
             return false
         }

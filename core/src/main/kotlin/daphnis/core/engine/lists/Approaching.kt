@@ -56,6 +56,7 @@ internal class Approaching(private val rows: StepRows, private val lists: Neighb
         val y = state[p + 1] + vy * elapsed
         val z = state[p + 2] + vz * elapsed
         val radius = state[p + RADIUS] + margin
+        val approaches = images.approach != 0.0
         val from = i * lists.stride + 1
         val to = from + list[from - 1]
         var count = 0
@@ -63,9 +64,9 @@ internal class Approaching(private val rows: StepRows, private val lists: Neighb
             val e = list[k]
             val q = (e and NeighbourLists.SPHERE) * STRIDE
             val past = now - state[q + TIME]
-            val wx = state[q + VX]
-            val wy = state[q + VX + 1]
-            val wz = state[q + VX + 2]
+            var wx = state[q + VX]
+            var wy = state[q + VX + 1]
+            var wz = state[q + VX + 2]
             var dx = state[q] + wx * past - x
             var dy = state[q + 1] + wy * past - y
             var dz = state[q + 2] + wz * past - z
@@ -74,6 +75,17 @@ internal class Approaching(private val rows: StepRows, private val lists: Neighb
                 dx += images.shift(code, 0)
                 dy += images.shift(code, 1)
                 dz += images.shift(code, 2)
+                if (approaches) {
+                    val px = images.slide(code, 0)
+                    val py = images.slide(code, 1)
+                    val pz = images.slide(code, 2)
+                    dx += px * now
+                    dy += py * now
+                    dz += pz * now
+                    wx += px
+                    wy += py
+                    wz += pz
+                }
             }
             val ux = wx - vx
             val uy = wy - vy

@@ -37,15 +37,21 @@ internal class ListSpace : CellAxes() {
     var farthest = 0.0
         private set
 
-    /** Whether [boundary] is still the one for which the space was laid out. */
+    /** Velocities of images are no greater; 0 where these are at rest. */
+    var fastestImage = 0.0
+        private set
+
+    /** Whether [boundary] is still the one for which the space was laid out, and images are at rest. */
     fun isOf(boundary: BoundaryConditions): Boolean = accepts(boundary) &&
+        boundary.approach == 0.0 &&
         (0 until AXES).all {
             isPeriodic[it] == boundary.hasImages(it) &&
                 (!isPeriodic[it] || low[it] == boundary.box.lower(it) && length[it] == boundary.box.length(it))
         }
 
     /**
-     * Lays out the space for [spheres], with shells of [shellInRadii] of the largest.
+     * Lays out the space for [spheres], with shells of [shellInRadii] of the largest. Where images approach, it is good for
+     * one step of [duration].
      *
      * @return false when there cannot be lists
      */
@@ -54,10 +60,11 @@ internal class ListSpace : CellAxes() {
         boundary: BoundaryConditions,
         bounds: StepBounds,
         shellInRadii: Double,
+        duration: Double,
     ): Boolean {
         largestRadius = bounds.largestRadius
         shell = largestRadius * shellInRadii
-        reach = 2 * shell + largestRadius * REACH_SLACK
+        reach = 2 * shell + largestRadius * REACH_SLACK + approached(boundary, duration)
         if (!(bounds.leastRadius * MOST_RATIO >= largestRadius)) return false
         val widest = (2 * largestRadius + reach) * (1 + CELL_SLACK)
         var most = 0.0
@@ -86,6 +93,22 @@ internal class ListSpace : CellAxes() {
         return true
     }
 
+    /** Whether a sphere is too far away at the coordinate [at] along [axis]. */
+    fun isTooFar(at: Double, axis: Int): Boolean = !(abs(at) <= farthest) ||
+        fastestImage > 0 &&
+        isPeriodic[axis] &&
+        !(abs(at - low[axis] - length[axis] / 2) <= NEARER * length[axis])
+
+    /** By how much the distance between two spheres may be wrong if the second is taken to be at an image at rest. */
+    private fun approached(boundary: BoundaryConditions, duration: Double): Double {
+        var squares = 0.0
+        for (axis in 0 until AXES) {
+            if (boundary.hasImages(axis)) squares += boundary.box.length(axis) * boundary.box.length(axis)
+        }
+        fastestImage = if (boundary.approach == 0.0) 0.0 else MOST_AWAY * abs(boundary.approach) * sqrt(squares)
+        return fastestImage * duration
+    }
+
     companion object {
         /** The largest radius over the least. */
         const val MOST_RATIO = 3.0
@@ -104,6 +127,13 @@ internal class ListSpace : CellAxes() {
         private const val ROUNDING = 1e-12
         private const val FARTHER = 4.0
         private const val FARTHER_RADII = 64.0
+
+        /**
+         * How far from the middle of the box, in boxes, spheres may go where images approach: two are less than two and a
+         * half boxes apart then, so that they are near at images no farther away than [MOST_AWAY].
+         */
+        private const val NEARER = 1.25
+        private const val MOST_AWAY = 3.0
 
         /** Whether there can be lists: images that slide, and walls, are for others. */
         fun accepts(boundary: BoundaryConditions): Boolean = boundary.shear == null &&

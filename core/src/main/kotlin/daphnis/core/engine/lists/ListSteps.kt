@@ -131,13 +131,13 @@ internal class ListSteps(
     private fun begin(step: CollisionStep, fastest: Double): Boolean {
         val population = step.population
         val bounds = prepared.reach.measured
-        if (!space.layOut(population, step.boundary, bounds, tuning.shell)) return false
+        if (!space.layOut(population, step.boundary, bounds, tuning.shell, step.duration)) return false
         order.sort(population, space)
         load(population, step)
         if (!lists.build()) return false
         events.reserve(rows.size)
         comparison.reserve(rows.size)
-        events.begin(step.duration, fastest)
+        events.begin(step.duration, fastest + space.fastestImage)
         events.calendar.begin(rows.size, step.duration, maxOf(expected, rows.size))
         for (i in 0 until rows.size) events.scan(i, 0.0)
         built++

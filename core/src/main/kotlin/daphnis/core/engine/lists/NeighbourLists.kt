@@ -141,7 +141,7 @@ internal class NeighbourLists(private val rows: StepRows, private val space: Lis
         for (axis in 0 until AXES) {
             val at = state[p + axis] + state[p + VX + axis] * elapsed
             reference[4 * i + axis] = at
-            if (!(abs(at) <= space.farthest)) isLost = true
+            if (space.isTooFar(at, axis)) isLost = true
         }
         reference[4 * i + 3] = state[p + RADIUS]
     }

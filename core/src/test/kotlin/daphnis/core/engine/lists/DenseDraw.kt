@@ -13,6 +13,7 @@ import daphnis.core.collision.ContactDurationGuard
 import daphnis.core.collision.FloorSpeedGuard
 import daphnis.core.collision.NoGuard
 import daphnis.core.collision.Restitution
+import daphnis.core.compression.GrowingSpheres
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.SurfaceDraw
 import daphnis.core.engine.exchange
@@ -78,9 +79,16 @@ class DenseDraw(private val seed: Long) {
         return Population(x, y, z, speeds(), speeds(), speeds(), radii, DoubleArray(n) { radii[it].pow(3) })
     }
 
+    /** In some of the boxes that repeat spheres grow or shrink; a boundary for each simulation, since it knows its step. */
+    private fun around(): BoundaryConditions {
+        val isWhole = boundary is Periodic && (0..2).all { boundary.hasImages(it) }
+        if (!isWhole || seed % 3 != 0L || apart < 1.1) return boundary
+        return GrowingSpheres(box, (if (seed % 2 == 0L) 1e-3 else -1e-3) / dt, thermostat = seed % 5 != 0L)
+    }
+
     fun simulation(engine: CollisionEngine, restitution: Restitution = this.restitution) = Simulation(
         start.copy(),
-        boundary,
+        around(),
         surface.collisions(restitution, guard, engine),
         FixedTimeStep(dt),
         if (hasForce) listOf(pull()) else emptyList(),

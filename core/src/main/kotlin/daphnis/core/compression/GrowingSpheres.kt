@@ -1,0 +1,195 @@
+package daphnis.core.compression
+
+import daphnis.core.boundary.Box
+import daphnis.core.boundary.ContactFaces
+import daphnis.core.boundary.PerSphereBoundary
+import daphnis.core.boundary.Periodic
+import daphnis.core.force.Drift
+import daphnis.core.parallel.InlineLoop
+import daphnis.core.parallel.RangeLoop
+import daphnis.core.population.FirstMoments
+import daphnis.core.population.Population
+import daphnis.core.population.PopulationFold
+import daphnis.core.population.SphereSum
+import kotlin.math.abs
+import kotlin.math.sqrt
+
+/**
+ * A periodic box in which all spheres grow in proportion while they collide: the radius of sphere i at time t is aᵢ (1 +
+ * Γ (t − from)) (Lubachevsky & Stillinger 1990, J. Stat. Phys. 60, 561). It is the boundary of a simulation, which acts
+ * as its [Drift] too; there is no other. A pair in contact flies apart at the speed at which its surfaces move apart,
+ * in addition to what the law of collisions makes of the speed at which they met.
+ *
+ * **No engine knows of radii that change.** Let γ be the rate at the start of a step of length h, a(t) = a₀ (1 + γ t), and
+ * s = 1 + γ h. In the coordinates x′ = x/(1 + γ t) radii are fixed, and in the time t′ = s t/(1 + γ t), which ends at h
+ * too, free paths are straight: x′ = x₀ + (v − γ x₀) t′/s. Only the box shrinks: images approach at the rate γ/s
+ * ([approach]). So a step is one of fixed spheres with velocities (v − γ x)/s, after which a velocity w means v = w + γ x′,
+ * and all lengths are multiplied by s. Free paths and contacts are exact, for any length of the step.
+ *
+ * Places count from the middle of the box here. Contacts exchange momentum as they do at rest, and Σ m v stays to round-off. Radii change at the end of the step alone, so
+ * states, files and checkpoints have those of their time.
+ *
+ * @property rate Γ, the growth of a radius per unit of time over the radius at the time [from]; < 0 for spheres that
+ *   shrink
+ * @property from the time at which radii were those from which [rate] counts
+ * @property thermostat whether peculiar velocities are multiplied by one factor at the end of each step, so that their
+ *   energy is what it was at its start, and the mean velocity is 0
+ * @throws IllegalArgumentException for a box that is not finite, or a rate that is 0 or not finite
+ */
+public class GrowingSpheres @JvmOverloads constructor(
+    override val box: Box,
+    public val rate: Double,
+    public val from: Double = 0.0,
+    public val thermostat: Boolean = true,
+) : PerSphereBoundary,
+    Drift {
+    private val periodic = Periodic(box)
+    private var loop: RangeLoop = InlineLoop
+    private val fold = PopulationFold(null, Int.MAX_VALUE)
+    private val sums = FirstMoments(0, Int.MAX_VALUE)
+
+    private val centre = DoubleArray(AXES) { (box.lower(it) + box.upper(it)) / 2 }
+
+    /** γ and s of the step under way; 0 and 1 outside a step. */
+    private var gamma = 0.0
+    private var scale = 1.0
+    private var energyBefore = 0.0
+
+    init {
+        require(rate != 0.0 && rate.isFinite()) { "the rate of growth is $rate; it must be finite and not 0" }
+        require(from.isFinite()) { "the growth counts from $from; it must be finite" }
+    }
+
+    /**
+     * The reduced pressure Z = P V/(N kT) in the last step, from the energy that growing spheres gave to the gas: dE = 3 N kT
+     * (Z − 1) da/a. NaN before the first step, with fewer than two spheres and where nothing moves. It holds for elastic
+     * collisions only.
+     */
+    public var reducedPressure: Double = Double.NaN
+        internal set
+
+    /** The part of the box that the spheres of [population] fill; the same bits for any order of them. */
+    public fun fillingFactor(population: Population): Double {
+        val radius = population.radius
+        return SphereSum().of(population) { VOLUME * radius[it] * radius[it] * radius[it] } / box.volume
+    }
+
+    override val approach: Double get() = gamma / scale
+
+    override fun contactFaces(axis: Int): ContactFaces = ContactFaces.PERIODIC
+
+    override fun useLoop(loop: RangeLoop) {
+        this.loop = loop
+    }
+
+    /** Radii at [time] over those at the time [from]. */
+    public fun scaleAt(time: Double): Double = 1 + rate * (time - from)
+
+    /** @throws IllegalArgumentException for a step in which radii change by more than a tenth, or shrink to nothing, or a sphere touches its own image */
+    override fun beforeDrift(population: Population, start: Double, duration: Double) {
+        gamma = rate / scaleAt(start)
+        require(scaleAt(start) > 0 && abs(gamma) * duration <= MOST) {
+            gamma = 0.0
+            "radii change by the factor ${scaleAt(
+                start + duration,
+            ) / scaleAt(start)} in the step from time $start to " +
+                "${start + duration}; it must be a tenth at most, so take a smaller dt or rate"
+        }
+        scale = 1 + gamma * duration
+        requireRoom(population, start + duration)
+        energyBefore = energy(population)
+        loop.runLight(population.size) { _, first, end ->
+            for (axis in 0 until AXES) {
+                val x = population.position(axis)
+                val v = population.velocity(axis)
+                val middle = centre[axis]
+                for (k in first until end) v[k] = (v[k] - gamma * (x[k] - middle)) / scale
+            }
+        }
+    }
+
+    private fun requireRoom(population: Population, end: Double) {
+        if (population.size == 0) return
+        val largest = population.radius.max() * scale
+        for (axis in 0 until AXES) {
+            if (2 * largest * SLIGHTLY_MORE < box.length(axis)) continue
+            gamma = 0.0
+            throw IllegalArgumentException(
+                "the largest sphere has a radius of $largest at time $end, and touches its own image along " +
+                    "${"xyz"[axis]} in a box ${box.length(axis)} long",
+            )
+        }
+    }
+
+    override fun endStep(population: Population, time: Double, from: Int, to: Int) {
+        if (gamma != 0.0) {
+            for (axis in 0 until AXES) {
+                val x = population.position(axis)
+                val v = population.velocity(axis)
+                val middle = centre[axis]
+                for (k in from until to) {
+                    val away = x[k] - middle
+                    v[k] += gamma * away
+                    x[k] = middle + away * scale
+                }
+            }
+        }
+        periodic.endStep(population, time, from, to)
+    }
+
+    override fun afterDrift(population: Population, end: Double, duration: Double) {
+        val by = scale
+        gamma = 0.0
+        scale = 1.0
+        population.scaleRadii(by, loop)
+        val energy = energy(population)
+        val n = population.size
+        val ratio = energy / energyBefore
+        reducedPressure =
+            if (n < 2 ||
+                !(energyBefore > 0)
+            ) {
+                Double.NaN
+            } else {
+                1 +
+                    (n - 1.0) / n * StrictMath.log(ratio) / (2 * StrictMath.log(by))
+            }
+        if (!thermostat || !(energyBefore > 0)) return
+        val factor = sqrt(energyBefore / energy)
+        loop.runLight(n) { _, first, last ->
+            for (axis in 0 until AXES) {
+                val v = population.velocity(axis)
+                val mean = means[axis]
+                for (k in first until last) v[k] = (v[k] - mean) * factor
+            }
+        }
+    }
+
+    private val means = DoubleArray(AXES)
+
+    /** That of velocities around their mean, which is in [means] afterwards; the same bits for any order of spheres. */
+    private fun energy(population: Population): Double {
+        fold.over(population, loop) { fold.first(sums) }
+        val mass = sums.mass
+        var energy = sums.kineticEnergy
+        for (axis in 0 until AXES) {
+            val momentum = sums.momentum(axis)
+            means[axis] = if (mass > 0) momentum / mass else 0.0
+            energy -= momentum * means[axis] / 2
+        }
+        return energy
+    }
+
+    private companion object {
+        const val AXES = 3
+
+        /** By how much radii may change in a step. */
+        const val MOST = 0.1
+
+        /** Of a sphere of radius 1. */
+        const val VOLUME = 4.0 / 3 * Math.PI
+
+        /** Just above 1. */
+        const val SLIGHTLY_MORE = 1 + 1e-9
+    }
+}

@@ -1,0 +1,92 @@
+package daphnis.core.scenario
+
+import daphnis.core.boundary.BoundaryConditions
+import daphnis.core.boundary.Box
+import daphnis.core.compression.GrowingSpheres
+import daphnis.core.initial.fillingFactor
+import daphnis.core.population.Population
+import kotlinx.serialization.Serializable
+import kotlin.math.abs
+
+/**
+ * All spheres grow in proportion while they collide, see [GrowingSpheres]. The run ends when the first of its ends is
+ * reached, at the end of a step.
+ *
+ * @property rate growth of a radius per unit of time, over its radius at the start; < 0 for spheres that shrink, 0 for
+ *   none of this
+ * @property thermostat whether velocities are rescaled after each step, so that the kinetic energy stays
+ * @property untilFillingFactor at which the run ends
+ * @property untilPressure reduced pressure P V/(N kT) in a step, at which the run ends
+ */
+@Serializable
+public class GrowthSpec @JvmOverloads constructor(
+    public val rate: Double,
+    public val thermostat: Boolean = true,
+    public val untilFillingFactor: Double? = null,
+    public val untilPressure: Double? = null,
+) {
+    /** Whether a run ends with [population], which has grown in [boundary]. */
+    internal fun isOver(population: Population, boundary: GrowingSpheres): Boolean =
+        untilFillingFactor != null && (boundary.fillingFactor(population) >= untilFillingFactor) == (rate > 0) ||
+            untilPressure != null && boundary.reducedPressure >= untilPressure
+}
+
+/** Checks the growth of a scenario and puts it into its boundary. */
+internal class GrowthSetup(private val scenario: Scenario, private val check: ValueCheck) {
+    private val spec = scenario.growth
+
+    /** The [boundary] of the scenario around [box], in which spheres grow if they are to. */
+    fun boundary(boundary: BoundaryConditions, box: Box): BoundaryConditions {
+        if (spec == null) return boundary
+        check.that("growth.rate", spec.rate, spec.rate.isFinite()) { "must be finite" }
+        spec.untilFillingFactor?.let { goal ->
+            check.that("growth.untilFillingFactor", goal, goal > 0 && goal < 1) { "must be > 0 and < 1" }
+        }
+        spec.untilPressure?.let { goal ->
+            check.that("growth.untilPressure", goal, goal > 1 && goal.isFinite()) { "must be > 1, that of an ideal gas" }
+        }
+        fun need(isMet: Boolean, what: String) = check.must("growth", isMet) { "needs $what" }
+        need(scenario.boundary is BoundarySpec.Periodic, "boundary periodic, and has ${scenario.boundary}")
+        need(scenario.frame == null, "a frame that does not turn, and so no frame")
+        need(scenario.forces.isEmpty(), "spheres on which no force acts")
+        val laws = scenario.contacts.mapNotNull { it.restitution } + scenario.restitution
+        val isElastic = laws.all { it is RestitutionSpec.Constant && it.coefficient == 1.0 }
+        need(isElastic, "elastic collisions, restitution constant with the coefficient 1")
+        val isSmooth = scenario.roughness == null && scenario.contacts.all { it.roughness == null }
+        need(isSmooth, "smooth spheres, without roughness")
+        return if (spec.rate == 0.0) boundary else GrowingSpheres(box, spec.rate, scenario.startTime, spec.thermostat)
+    }
+
+    /** The longest step. */
+    fun longest(): Double = if (spec == null || spec.rate == 0.0) Double.MAX_VALUE else PART / abs(spec.rate)
+
+    /** Checks that [population], with which a run to the time [end] begins, has room to grow in [box]. */
+    fun checkStart(population: Population, box: Box, end: Double) {
+        if (spec == null || spec.rate == 0.0 || population.size == 0) return
+        val now = fillingFactor(population.radius, box)
+        val scale = 1 + spec.rate * (end - scenario.startTime)
+        check.that("growth.rate", spec.rate, scale > 0) { "makes spheres vanish before the end at time $end" }
+        val most = if (population.radius.all { it == population.radius[0] }) CLOSEST else 1.0
+        val goal = spec.untilFillingFactor
+        if (goal != null) {
+            check.that("growth.untilFillingFactor", goal, goal < most) { "equal spheres fill $CLOSEST at most" }
+            check.that("growth.untilFillingFactor", goal, (goal > now) == (spec.rate > 0)) {
+                "spheres fill $now at the start, and the rate is ${spec.rate}"
+            }
+        } else if (spec.untilPressure == null) {
+            val last = now * scale * scale * scale
+            check.that("growth.rate", spec.rate, last < most) {
+                "makes spheres fill $last of the box by the end at time $end; give an earlier end, or " +
+                    "growth.untilFillingFactor or growth.untilPressure"
+            }
+        }
+    }
+
+    private companion object {
+        /** By how much radii grow at most in a step of which the scenario does not say how long it is. */
+        const val PART = 0.02
+
+        /** Close packing of equal spheres, π/√18. */
+        const val CLOSEST = 0.7404804896930610
+    }
+}
