@@ -91,6 +91,7 @@ class GoldenDigestTest {
             "cooling-gas",
             "rough-gas",
             "mixture",
+            "hard-discs",
             "shear-cell",
             "ring-patch",
             "rough-ring",
@@ -98,6 +99,7 @@ class GoldenDigestTest {
         val ODD = listOf(
             "open-clump", "periodic-thin", "walls-gravity", "walls-lattice", "sheared-dense", "lees-edwards-sizes",
             "ring-gravity", "ring-mesh", "ring-waves", "moonlet-small", "ringlet-moon", "moons", "big-among-small",
+            "discs-rough",
         )
 
         /** Lines of `name,steps,digest`, steps empty for the end. */

@@ -10,7 +10,8 @@ public object BuiltIn {
     public val names: List<String> =
         listOf(
             "paper-figure-1", "paper-figure-2", "paper-figure-3", "elastic-gas", "cooling-gas", "rough-gas",
-            "mixture", "shear-cell", "ring-patch", "rough-ring", "satellite-wake", "moonlet", "moonlet-walk",
+            "mixture", "hard-discs",
+            "shear-cell", "ring-patch", "rough-ring", "satellite-wake", "moonlet", "moonlet-walk",
             "overstability",
             "self-gravity-wakes",
         )

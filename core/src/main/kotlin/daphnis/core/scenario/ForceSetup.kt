@@ -30,10 +30,18 @@ internal class ForceSetup(
         return if (frequencies == null) forces else forces + HillFrame(frequencies)
     }
 
-    private fun force(spec: ForceSpec, key: String, firstBody: Int): Force = when (spec) {
+    private fun force(spec: ForceSpec, key: String, firstBody: Int): Force {
+        check.must(key, !scenario.space.isPlane || spec is ForceSpec.UniformAcceleration) {
+            "is a force in three dimensions; discs, with dimensions 2, know a uniform-acceleration"
+        }
+        return forceInSpace(spec, key, firstBody)
+    }
+
+    private fun forceInSpace(spec: ForceSpec, key: String, firstBody: Int): Force = when (spec) {
         is ForceSpec.UniformAcceleration -> {
             val a = spec.acceleration
             check.that("$key.acceleration", a, a.size == 3) { "must be three numbers" }
+            requireInPlane(a, scenario.space, "$key.acceleration", check)
             UniformAcceleration(a[0], a[1], a[2])
         }
         is ForceSpec.Satellite -> satellite(spec, key)

@@ -39,10 +39,10 @@ internal class InitialState(
         }
         val spec =
             scenario.particles ?: check.fail("particles", "is missing; it is needed unless the placement is a file")
-        val kinds = SphereKind.of(spec, check)
+        val kinds = SphereKind.of(spec, box.space, check)
         val drawn = DrawnRadii(spec, kinds, box, check) { stream(SIZES) }.draw()
         val radii = drawn.radii
-        val bodies = Bodies(scenario.bodies, spec, check)
+        val bodies = Bodies(scenario.bodies, spec, box.space, check)
         val positions = try {
             if (placement is PlacementSpec.Lattice) {
                 check.must("bodies", scenario.bodies.isEmpty()) { "need random placement, which goes around them" }
@@ -92,10 +92,14 @@ internal class InitialState(
 
     private fun stream(purpose: Long) = SeededRandom(scenario.seed * STREAMS + purpose)
 
-    private fun lattice(spec: PlacementSpec.Lattice) = if (spec.lattice == LatticeName.CUBIC) {
-        Lattice.SIMPLE_CUBIC
-    } else {
-        Lattice.FACE_CENTRED_CUBIC
+    private fun lattice(spec: PlacementSpec.Lattice): Lattice = spec.lattice.lattice.also {
+        check.must("placement.lattice", it.isPlane == box.space.isPlane) {
+            if (it.isPlane) {
+                "is of discs, which need dimensions 2"
+            } else {
+                "is of spheres; with dimensions 2 it must be hexagonal or square"
+            }
+        }
     }
 
     /** Along axes on which the box does not repeat, a sphere is placed wholly inside. */

@@ -1,5 +1,6 @@
 package daphnis.core.scenario
 
+import daphnis.core.initial.Lattice
 import kotlinx.serialization.SerialName
 import kotlinx.serialization.Serializable
 
@@ -9,7 +10,7 @@ public sealed interface PlacementSpec {
     @SerialName("random")
     public class Random : PlacementSpec
 
-    /** @property lattice `fcc` or `cubic` */
+    /** @property lattice `fcc` or `cubic`, of discs `hexagonal` or `square` */
     @Serializable
     @SerialName("lattice")
     public class Lattice @JvmOverloads constructor(public val lattice: LatticeName = LatticeName.FCC) : PlacementSpec
@@ -70,10 +71,16 @@ public enum class OverlapsName {
 }
 
 @Serializable
-public enum class LatticeName {
+public enum class LatticeName(internal val lattice: Lattice) {
     @SerialName("fcc")
-    FCC,
+    FCC(Lattice.FACE_CENTRED_CUBIC),
 
     @SerialName("cubic")
-    CUBIC,
+    CUBIC(Lattice.SIMPLE_CUBIC),
+
+    @SerialName("hexagonal")
+    HEXAGONAL(Lattice.HEXAGONAL),
+
+    @SerialName("square")
+    SQUARE(Lattice.SQUARE),
 }

@@ -35,7 +35,7 @@ private fun fallsBetweenWalls(setup: ScenarioSetup, dt: Double): String? {
             ?: return null
     val fall = fall(setup, axis)
     if (fall == 0.0) return null
-    val thermal = sqrt(granularTemperature(setup.population, setup.boundary.meanFlow, setup.scenario.firstBody))
+    val thermal = sqrt(granularTemperature(setup.population, setup.boundary, setup.scenario.firstBody))
     // Grains at rest reach the speed of a fall through the box.
     val speed = if (thermal > 0) thermal else sqrt(fall * setup.boundary.box.length(axis))
     val ratio = fall * dt / speed
