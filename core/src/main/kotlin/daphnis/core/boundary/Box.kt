@@ -94,7 +94,12 @@ public class Box private constructor(
         /** The rectangle of the given edge lengths in the plane z = 0, centred on the origin. */
         @JvmStatic
         public fun flat(lengthX: Double, lengthY: Double): Box =
-            Box(-lengthX / 2, -lengthY / 2, -THIN, lengthX / 2, lengthY / 2, THIN, Space.PLANE)
+            flat(-lengthX / 2, -lengthY / 2, lengthX / 2, lengthY / 2)
+
+        /** The rectangle of the given faces in the plane z = 0. */
+        @JvmStatic
+        public fun flat(lowerX: Double, lowerY: Double, upperX: Double, upperY: Double): Box =
+            Box(lowerX, lowerY, -THIN, upperX, upperY, THIN, Space.PLANE)
 
         private const val THIN = 0.5
 

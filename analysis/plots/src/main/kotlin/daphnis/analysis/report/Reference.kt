@@ -98,6 +98,7 @@ internal object References {
         val law = scenario.restitution as? RestitutionSpec.Constant ?: return emptyMap()
         val isSheared = scenario.boundary is BoundarySpec.LeesEdwards && scenario.frame == null
         if (!isSheared || !isPlain(scenario, last)) return emptyMap()
+        if (last.dimensions != 3) return emptyMap()
         val row = SHEARED.find { it[0] == law.coefficient && abs(filling / it[1] - 1) < 0.01 } ?: return emptyMap()
         return mapOf(
             "reduced_temperature" to Reference(row[2], 0.03 / 3 * row[2], INDEPENDENT),
@@ -114,7 +115,9 @@ internal object References {
         temperature: Double,
         numberDensity: Double,
     ): Map<String, Reference> {
-        if (!ElasticGas.isSeen(scenario, last) || filling > 0.49) return emptyMap()
+        if (!ElasticGas.isSeen(scenario, last)) return emptyMap()
+        if (last.dimensions == 2) return ofDiscs(last, filling, temperature, numberDensity)
+        if (filling > 0.49) return emptyMap()
         val contact = (1 - filling / 2) / ((1 - filling) * (1 - filling) * (1 - filling))
         val diameter = 2 * last.population.radius[0]
         val rate = 4 * sqrt(PI * temperature) * numberDensity * contact * diameter * diameter
@@ -122,6 +125,18 @@ internal object References {
         return mapOf(
             "collisions_per_particle" to Reference(rate, STATE_BOUND / 3 * rate, CARNAHAN),
             "compressibility" to Reference(compressibility, STATE_BOUND / 3 * compressibility, CARNAHAN),
+        )
+    }
+
+    /** The same of discs, of Henderson 1975 (Mol. Phys. 30, 971). */
+    private fun ofDiscs(last: State, filling: Double, temperature: Double, density: Double): Map<String, Reference> {
+        if (filling > MOST_OF_HENDERSON) return emptyMap()
+        val compressibility = (1 + filling * filling / 8) / ((1 - filling) * (1 - filling))
+        val contact = (compressibility - 1) / (2 * filling)
+        val rate = 2 * sqrt(PI * temperature) * density * contact * 2 * last.population.radius[0]
+        return mapOf(
+            "collisions_per_particle" to Reference(rate, STATE_BOUND / 3 * rate, HENDERSON),
+            "compressibility" to Reference(compressibility, STATE_BOUND / 3 * compressibility, HENDERSON),
         )
     }
 
@@ -143,7 +158,7 @@ internal object References {
     private fun rms(state: State): Double {
         val p = state.population
         val sum = (0 until p.size).sumOf { p.vx[it] * p.vx[it] + p.vy[it] * p.vy[it] + p.vz[it] * p.vz[it] }
-        return sqrt(sum / (3 * p.size))
+        return sqrt(sum / (state.dimensions * p.size))
     }
 
     /** r Ω by which the restitution law is scaled: c changes by a tenth of this. */
@@ -152,5 +167,9 @@ internal object References {
     /** Floor speed of a guard, in rms speeds, that nothing measured depends on. */
     private const val FELT = 1e-4
     private const val CARNAHAN = "Carnahan & Starling 1969"
+    private const val HENDERSON = "Henderson 1975"
+
+    /** Area fraction up to which the equation of state is within its bound. */
+    private const val MOST_OF_HENDERSON = 0.5
     private const val STATE_BOUND = 0.005
 }
