@@ -92,6 +92,7 @@ class GoldenDigestTest {
             "driven-gas",
             "rough-gas",
             "mixture",
+            "hard-discs",
             "shear-cell",
             "ring-patch",
             "rough-ring",
@@ -99,6 +100,7 @@ class GoldenDigestTest {
         val ODD = listOf(
             "open-clump", "periodic-thin", "walls-gravity", "walls-driven", "walls-lattice", "sheared-dense", "lees-edwards-sizes",
             "ring-gravity", "ring-mesh", "ring-waves", "moonlet-small", "ringlet-moon", "moons", "big-among-small",
+            "discs-rough",
         )
 
         /** Lines of `name,steps,digest`, steps empty for the end. */

@@ -16,10 +16,15 @@ internal class MaterialRows(private val setup: ScenarioSetup, private val say: Q
             }
             val radii = its.map { population.radius[it] }
             val masses = its.map { population.mass[it] }
-            val density = say.density(masses.sum() / radii.sumOf { VOLUME * it * it * it })
+            val space = setup.boundary.space
+            val perVolume = masses.sum() / radii.sumOf { space.volume(it) }
+            val density = if (space.isPlane) say.surfaceDensity(perVolume) else say.density(perVolume)
             rows.add(
                 "materials",
-                "$name: ${spheres(its.size)}, radius ${range(radii, say::length)}, mass ${range(masses, say::mass)}, " +
+                "$name: ${spheres(
+                    its.size,
+                    space,
+                )}, radius ${range(radii, say::length)}, mass ${range(masses, say::mass)}, " +
                     "density $density",
             )
         }
@@ -38,8 +43,4 @@ internal class MaterialRows(private val setup: ScenarioSetup, private val say: Q
 
     private fun range(values: List<Double>, say: (Double) -> String): String =
         if (values.min() == values.max()) say(values[0]) else "${say(values.min())} to ${say(values.max())}"
-
-    private companion object {
-        const val VOLUME = 4.0 / 3.0 * Math.PI
-    }
 }

@@ -48,14 +48,15 @@ internal class PhysicsRows(private val setup: ScenarioSetup, private val say: Qu
         } else {
             "${say.length(radii.min())} to ${say.length(radii.max())}, mean ${say.length(radii.average())}"
         }
-        rows.add("particles", "${spheres(particles.size)}, radius $size")
+        rows.add("particles", "${spheres(particles.size, box.space)}, radius $size")
         val mass = if (masses.min() == masses.max()) {
             say.mass(masses[0])
         } else {
             "${say.mass(masses.min())} to ${say.mass(masses.max())}"
         }
         rows.add("mass", "$mass each, ${say.mass(masses.sum())} together")
-        rows.add("density", say.density(masses.sum() / radii.sumOf { VOLUME * it * it * it }))
+        val density = masses.sum() / radii.sumOf { box.space.volume(it) }
+        rows.add("density", if (box.space.isPlane) say.surfaceDensity(density) else say.density(density))
     }
 
     private fun bodies() {
@@ -116,8 +117,9 @@ internal class PhysicsRows(private val setup: ScenarioSetup, private val say: Qu
 
     private fun fullness() {
         val radii = DoubleArray(particles.size) { population.radius[particles[it]] }
-        val open = (0..2).any { setup.boundary.contactFaces(it) == ContactFaces.OPEN }
-        rows.add("filling factor", number(fillingFactor(radii, box)) + if (open) " of the box at the start" else "")
+        val open = (0 until box.space.dimensions).any { setup.boundary.contactFaces(it) == ContactFaces.OPEN }
+        val name = if (box.space.isPlane) "area fraction" else "filling factor"
+        rows.add(name, number(fillingFactor(radii, box)) + if (open) " of the box at the start" else "")
         setup.angularSpeed ?: return
         val area = box.length(0) * box.length(1)
         rows.add("optical depth", number(radii.sumOf { Math.PI * it * it } / area))
@@ -132,7 +134,7 @@ internal class PhysicsRows(private val setup: ScenarioSetup, private val say: Qu
     }
 
     /** Of one component: the root of the granular temperature. */
-    private fun dispersion() = sqrt(granularTemperature(population, setup.boundary.meanFlow, scenario.firstBody))
+    private fun dispersion() = sqrt(granularTemperature(population, setup.boundary, scenario.firstBody))
 
     private fun collisions() {
         rows.add("restitution", restitution())
@@ -197,6 +199,5 @@ internal class PhysicsRows(private val setup: ScenarioSetup, private val say: Qu
 
     private companion object {
         const val SECONDS_A_DAY = 86_400.0
-        const val VOLUME = 4.0 / 3.0 * Math.PI
     }
 }

@@ -1,10 +1,12 @@
 package daphnis.app.describe
 
 import daphnis.app.describe.Quantities.Companion.number
+import daphnis.core.boundary.Space
 import daphnis.core.scenario.RestitutionSpec
 
 /** `1 sphere`, `2 spheres`. */
-internal fun spheres(count: Int): String = if (count == 1) "1 sphere" else "$count spheres"
+internal fun spheres(count: Int, space: Space = Space.VOLUME): String =
+    counted(count.toLong(), if (space.isPlane) "disc" else "sphere")
 
 /** `1 step`, `2 steps`. */
 internal fun counted(number: Long, what: String): String = if (number == 1L) "1 $what" else "$number ${what}s"

@@ -18,18 +18,22 @@ import java.nio.file.Path
  */
 internal class FileBoxes(private val path: Path, private val states: List<Snapshot>, hasTimes: Boolean) {
     private val slide = Slide.of(path, states, hasTimes)
-    private val reach = Reach(states)
+
+    /** Discs: nothing in the file is out of the plane z = 0, or moves out of it. */
+    private val isFlat = states.any { it.size > 1 } && states.all { it.isInPlane }
+    private val reach = Reach(states, isFlat)
 
     /** What a user should know of how images slide, and of spheres outside; a line each. */
     val notices: List<String> =
-        listOfNotNull(if (slide == null) Slide.doubt(path, states) else slide.words(path)) +
-            (0..2).mapNotNull { reach.beyond(path, it) } + listOfNotNull(reach.beyondLast(path))
+        listOfNotNull(if (isFlat) "$path: all z and vz are 0: these are taken for discs, in two dimensions" else null) +
+            listOfNotNull(if (slide == null) Slide.doubt(path, states) else slide.words(path)) +
+            (0 until if (isFlat) 2 else 3).mapNotNull { reach.beyond(path, it) } + listOfNotNull(reach.beyondLast(path))
 
     /** In the order of the states. */
     val boundaries: List<BoundaryConditions> = states.map { boundary(it) }
 
     private fun boundary(state: Snapshot): BoundaryConditions {
-        if (state.lengths.all { it.isNaN() }) return Open
+        if (state.lengths.all { it.isNaN() } && !isFlat) return Open
         val repeats = BooleanArray(3) { state.repeats(it) }
         val box = reach.box(state)
         if (slide == null) return Periodic(box, repeats[0], repeats[1], repeats[2])
@@ -51,7 +55,7 @@ internal class FileBoxes(private val path: Path, private val states: List<Snapsh
         override val shear: ImageShear = ImageShear.at(box, flow, offset, time)
 
         override fun contactFaces(axis: Int): ContactFaces =
-            if (repeats[axis]) ContactFaces.PERIODIC else ContactFaces.OPEN
+            if (repeats[axis] && axis < space.dimensions) ContactFaces.PERIODIC else ContactFaces.OPEN
 
         override fun endStep(population: Population, time: Double): Unit =
             throw UnsupportedOperationException("states of a file are measured and do not go on")
@@ -62,7 +66,7 @@ internal class FileBoxes(private val path: Path, private val states: List<Snapsh
  * How far the spheres of all [states] reach along axes on which the box does not repeat, so that none of a state is
  * outside the bins of another.
  */
-private class Reach(private val states: List<Snapshot>) {
+private class Reach(private val states: List<Snapshot>, private val isFlat: Boolean) {
     private val all: List<Box> by lazy { states.map { extent(it.population()) } }
     private val outside = Array(3) { axis -> states.indexOfFirst { outside(it, axis) >= 0 } }
 
@@ -76,6 +80,7 @@ private class Reach(private val states: List<Snapshot>) {
             low[axis] = minOf(all.minOf { it.lower(axis) }, if (isOpen) Double.MAX_VALUE else low[axis])
             high[axis] = maxOf(all.maxOf { it.upper(axis) }, if (isOpen) -Double.MAX_VALUE else high[axis])
         }
+        if (isFlat) return Box.flat(low[0], low[1], high[0], high[1])
         return Box(low[0], low[1], low[2], high[0], high[1], high[2])
     }
 

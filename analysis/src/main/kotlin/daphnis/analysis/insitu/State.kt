@@ -33,6 +33,9 @@ public class State @JvmOverloads constructor(
     /** Angular speed of Hill's frame, or null when there is none. */
     public val omega: Double? get() = frequencies?.omega
 
+    /** 3, or 2 for discs in the plane z = 0. */
+    public val dimensions: Int get() = boundary.space.dimensions
+
     /** Area of the box in the x-y plane. */
     public val area: Double get() = boundary.box.length(0) * boundary.box.length(1)
 

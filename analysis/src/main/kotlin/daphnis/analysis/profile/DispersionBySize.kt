@@ -16,7 +16,7 @@ import daphnis.analysis.insitu.State
  * | c_xx, c_yy, c_zz | ⟨c_a²⟩ by number, c around the mean flow and the centre of mass of all particles |
  * | c2 | ⟨c²⟩, the sum of the three |
  * | h2 | ⟨(z − z₀)²⟩, z₀ the centre of mass of all |
- * | temperature | ⟨m c²⟩/3, the partial temperature, an energy: the same for all groups in equilibrium |
+ * | temperature | ⟨m c²⟩/3 (in the plane /2), the partial temperature, an energy: the same for all in equilibrium |
  *
  * A sphere with a share μ of all mass moves the centre of mass along, which reduces the plain mean square by about 2μ.
  * This is corrected, for spheres with independent velocities as well as for those that share one temperature. Means of
@@ -51,7 +51,13 @@ public class DispersionBySize(private val groups: SphereGroups) : Measure {
         for (c in 0 until classes) result[c * WIDTH + C2] = (2..4).sumOf { result[c * WIDTH + it] }
         put(result, H2, meanSquares(group, share, all, null) { p.z[it] })
         val energies = List(3) { axis -> meanSquares(group, share, all, p.mass) { state.againstFlow(it, axis) } }
-        put(result, TEMPERATURE, DoubleArray(classes) { c -> energies.sumOf { it[c] } / 3 })
+        put(
+            result,
+            TEMPERATURE,
+            DoubleArray(classes) { c ->
+                energies.sumOf { it[c] } / state.boundary.space.dimensions
+            },
+        )
         return result
     }
 

@@ -12,7 +12,7 @@ import daphnis.analysis.insitu.State
  * | column | what |
  * |---|---|
  * | count | particles in the group |
- * | a2 | of velocities: ⟨c⁴⟩ = (5/3) ⟨c²⟩² (1 + a₂), which is (15/4) v₀⁴ (1 + a₂) with v₀² = 2T/m |
+ * | a2 | of velocities: ⟨c⁴⟩ = (5/3) ⟨c²⟩² (1 + a₂) (of discs 2 ⟨c²⟩²), which is (15/4) v₀⁴ (1 + a₂) with v₀² = 2T/m |
  * | spin_a2 | of spins: ⟨w⁴⟩ = (5/3) ⟨w²⟩² (1 + a₀₂) |
  * | mixed_a2 | of both: ⟨c² w²⟩ = ⟨c²⟩ ⟨w²⟩ (1 + a₁₁) |
  *
@@ -36,7 +36,10 @@ public class FourthCumulants @JvmOverloads constructor(private val groups: Spher
         val group = IntArray(of.size) { groups.of(state, of[it]) }
         val c2 = DoubleArray(of.size) { k -> velocities.components.sumOf { it[k] * it[k] } * p.mass[of[k]] }
         val energy = of.sumOf { p.mass[it] * (p.vx[it] * p.vx[it] + p.vy[it] * p.vy[it] + p.vz[it] * p.vz[it]) }
-        val c = Squares(c2, ROUNDING * energy) { k, axis -> velocities.freedom(k, axis) }
+        val space = state.boundary.space
+        val c = Squares(c2, ROUNDING * energy) { k, axis ->
+            if (axis < space.dimensions) velocities.freedom(k, axis) else 0.0
+        }
         val w = if (p.hasSpin) spins(state, of) else null
         for (g in 0 until groups.count) {
             val members = group.indices.filter { group[it] == g }
@@ -65,7 +68,9 @@ public class FourthCumulants @JvmOverloads constructor(private val groups: Spher
                 energy += inertia[k] * w[of[k]] * w[of[k]]
             }
         }
-        return Squares(w2, ROUNDING * energy) { k, _ -> maxOf(0.0, 1 - inertia[k] / whole) }
+        return Squares(w2, ROUNDING * energy) { k, axis ->
+            if (axis >= 3 - state.boundary.space.rotations) maxOf(0.0, 1 - inertia[k] / whole) else 0.0
+        }
     }
 
     /**

@@ -2,8 +2,11 @@ package daphnis.analysis.profile
 
 import daphnis.analysis.insitu.PooledMeasure
 import daphnis.analysis.insitu.State
+import daphnis.core.boundary.Space
 import kotlin.math.PI
 import kotlin.math.abs
+import kotlin.math.asin
+import kotlin.math.sqrt
 
 /**
  * Profiles of a patch along one axis: radius (x), azimuth (y) or height (z), in equal bins. As a [PooledMeasure] it
@@ -14,7 +17,7 @@ import kotlin.math.abs
  * | count | particles whose centre is in the bin, in one state |
  * | surface_density | Σ m over the bin's area in the x-y plane; along z: Σ m over its volume |
  * | optical_depth | Σ π r² over that area (geometric); along z: over the area of the patch, so that bins add up to τ |
- * | filling_factor | volume of the spheres cut at the bin's faces, over the bin's volume (along x, y: full height) |
+ * | filling_factor | volume of the spheres cut at the bin's faces, over the bin's volume (along x, y: full height); of discs areas |
  * | mean_vx … | mean velocity relative to the flow that the boundary drives |
  * | c_xx … c_xy | ⟨c_a c_b⟩ around that mean, weighted by number: sums of products over the number minus one |
  *
@@ -51,13 +54,14 @@ public class Profile(public val axis: Int, public val from: Double, public val t
         }
         val width = (to - from) / bins
         val period = period(state)
+        val space = state.boundary.space
         val result = DoubleArray(bins * WIDTH)
         for (k in 0 until p.size) {
             if (!state.isParticle(k)) continue
             val r = p.radius[k]
-            addVolume(result, a[k], r, width)
-            if (a[k] - r < from) addVolume(result, a[k] + period, r, width)
-            if (a[k] + r > to) addVolume(result, a[k] - period, r, width)
+            addVolume(result, a[k], r, width, space)
+            if (a[k] - r < from) addVolume(result, a[k] + period, r, width, space)
+            if (a[k] + r > to) addVolume(result, a[k] - period, r, width, space)
             val bin = Math.floor((a[k] - from) / width)
             if (bin >= 0 && bin < bins) addParticle(result, bin.toInt() * WIDTH, state, k)
         }
@@ -65,6 +69,7 @@ public class Profile(public val axis: Int, public val from: Double, public val t
         // Area of a bin seen from above, and the area across which spheres are cut at its faces.
         val area = if (axis == 2) state.area else width * box.length(1 - axis)
         val section = if (axis == 2) state.area else box.length(1 - axis) * box.length(2)
+        // In a flat box, which is one unit thick, sections are lengths and discs are cut into parts of their area.
         for (b in result.indices step WIDTH) {
             result[b + MASS] /= if (axis == 2) area * width else area
             result[b + DEPTH] /= area
@@ -116,19 +121,21 @@ public class Profile(public val axis: Int, public val from: Double, public val t
     }
 
     /** Adds to each bin the part of a sphere that lies in it. */
-    private fun addVolume(result: DoubleArray, centre: Double, radius: Double, width: Double) {
+    private fun addVolume(result: DoubleArray, centre: Double, radius: Double, width: Double, space: Space) {
         if (centre.isInfinite()) return
         val first = maxOf(0, Math.floor((centre - radius - from) / width).toInt())
         val last = minOf(bins - 1, Math.floor((centre + radius - from) / width).toInt())
         for (bin in first..last) {
             val low = from + bin * width
-            result[bin * WIDTH + VOLUME] += below(low + width - centre, radius) - below(low - centre, radius)
+            result[bin * WIDTH + VOLUME] +=
+                below(low + width - centre, radius, space) - below(low - centre, radius, space)
         }
     }
 
-    /** Volume of the part of a sphere around 0 that lies below [h]. */
-    private fun below(h: Double, radius: Double): Double {
+    /** Volume of the part of a sphere, area of that of a disc, around 0 that lies below [h]. */
+    private fun below(h: Double, radius: Double, space: Space): Double {
         val t = (h / radius).coerceIn(-1.0, 1.0)
+        if (space.isPlane) return radius * radius * (PI / 2 + t * sqrt(1 - t * t) + asin(t))
         return PI * radius * radius * radius * (2.0 / 3 + t - t * t * t / 3)
     }
 

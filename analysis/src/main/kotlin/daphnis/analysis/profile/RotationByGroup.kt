@@ -15,7 +15,7 @@ import daphnis.core.surface.SurfaceContact
  * | mean_radius, mean_mass | their mean radius and mass |
  * | mean_wx, mean_wy, mean_wz | ⟨ω_a⟩ by number, 1/time |
  * | w2 | ⟨ω²⟩ by number, 1/time² |
- * | temperature | ⟨I ω²⟩/3, the partial temperature of rotation, an energy; the mean spin is not taken off |
+ * | temperature | ⟨I ω²⟩/3 (in the plane ⟨I ω²⟩), the partial temperature of rotation, an energy; the mean spin is not taken off |
  *
  * `temperature` over `mean_mass` is what `series.csv` calls `rotational_temperature`. Means of an empty group are NaN,
  * and all means of spheres without spins.
@@ -29,6 +29,7 @@ public class RotationByGroup @JvmOverloads constructor(
     override fun of(state: State): DoubleArray {
         val p = state.population
         val result = DoubleArray(groups.count * WIDTH)
+        val rotations = state.boundary.space.rotations
         for (k in 0 until p.size) {
             val group = if (state.isParticle(k)) groups.of(state, k) else -1
             if (group < 0) continue
@@ -42,7 +43,7 @@ public class RotationByGroup @JvmOverloads constructor(
             result[at + SPIN + 1] += p.wy[k]
             result[at + SPIN + 2] += p.wz[k]
             result[at + SQUARE] += square
-            result[at + SQUARE + 1] += momentFactor * p.mass[k] * p.radius[k] * p.radius[k] * square / 3
+            result[at + SQUARE + 1] += momentFactor * p.mass[k] * p.radius[k] * p.radius[k] * square / rotations
         }
         for (group in 0 until groups.count) {
             val at = group * WIDTH

@@ -11,7 +11,7 @@ import kotlin.math.sqrt
  * The distribution of spins beside a Maxwellian: densities of the components s_x, s_y, s_z and of the modulus s, for
  * each of the [groups] by itself. s = √(I/T) (ω − ⟨ω⟩) with I the moment of inertia, ⟨ω⟩ the mean of the group weighted
  * by I, and T = ⟨I (ω − ⟨ω⟩)²⟩/3 of the group: so ⟨s²⟩ = 3, whatever the sizes, and states of a gas that cools can be
- * averaged. As a [Measure] it gives 4 · [bins] numbers for each group: x, y, z, modulus, from entry
+ * averaged; of discs ⟨s²⟩ = 1. As a [Measure] it gives 4 · [bins] numbers for each group: x, y, z, modulus, from entry
  * `(4 · group + which) · bins` on. NaN for a group of fewer than two, without spins, or whose spins are all the same.
  *
  * @param bins of equal width, of components from −[reach] to [reach], of the modulus from 0 to [reach]; what is farther
@@ -51,7 +51,9 @@ public class SpinDistribution @JvmOverloads constructor(
             val mean = of.indices.sumOf { inertia[it] * w[of[it]] } / whole
             DoubleArray(of.size) { w[of[it]] - mean }
         }
-        val temperature = peculiar.sumOf { w -> of.indices.sumOf { inertia[it] * w[it] * w[it] } } / (3 * of.size)
+        val temperature =
+            peculiar.sumOf { w -> of.indices.sumOf { inertia[it] * w[it] * w[it] } } /
+                (state.boundary.space.rotations * of.size)
         if (of.size < 2 || !(temperature > 0)) {
             result.fill(Double.NaN, at, at + 4 * bins)
             return

@@ -2,6 +2,7 @@ package daphnis.analysis.transport
 
 import daphnis.analysis.profile.VelocityEllipsoid
 import daphnis.analysis.statistics.BlockAverage
+import daphnis.core.boundary.Space
 import daphnis.core.run.TransportColumns
 import daphnis.core.run.TransportColumns.COLLISIONS
 import daphnis.core.run.TransportColumns.DISSIPATED
@@ -48,12 +49,15 @@ import kotlin.math.sqrt
  * @param potential energy of the forces, such as self-gravity, and of spins at each row of [table]; null where it is not
  *   known: then [energyBalance] takes what it gives and takes for scatter
  * @param flowAxis axis of the flow: 0 in Lees–Edwards boxes, 1 in Hill's frame
+ * @param space in which particles move: temperature and pressure are those of its components; in the plane what is said
+ *   of a volume is of an area
  */
 public class Transport @JvmOverloads constructor(
     private val table: TransportTable,
     private val shearRate: Double,
     private val potential: DoubleArray? = null,
     flowAxis: Int = 0,
+    private val space: Space = Space.VOLUME,
 ) {
     init {
         require(potential == null || potential.size == table.size) {
@@ -100,9 +104,9 @@ public class Transport @JvmOverloads constructor(
     /** √(⟨w_x²⟩ + ⟨w_y²⟩ + ⟨w_z²⟩): of all motion against the boundary's flow, that of waves too. */
     public val totalDispersion: BlockAverage get() = average(*diagonal(::carried)) { sqrt(it[0] + it[1] + it[2]) }
 
-    /** Granular temperature ⟨c²⟩/3. */
+    /** Granular temperature ⟨c²⟩/3, in the plane ⟨c²⟩/2. */
     public val temperature: BlockAverage
-        get() = average(*diagonal(TransportColumns::moment)) { (it[0] + it[1] + it[2]) / 3 }
+        get() = average(*diagonal(TransportColumns::moment)) { (it[0] + it[1] + it[2]) / space.dimensions }
 
     /** Of the averaged tensor. */
     public val ellipsoid: VelocityEllipsoid
@@ -161,8 +165,9 @@ public class Transport @JvmOverloads constructor(
     public fun pressure(component: String): BlockAverage =
         average(during(carried(component)), added(virial(component), MASS)) { it[0] + it[1] }
 
-    /** Pressure times volume over mass: a third of the trace of the tensor. */
-    public val pressure: BlockAverage get() = average(*diagonal(::carried), *virials()) { it.sum() / 3 }
+    /** Pressure times volume over mass: a third of the trace of the tensor, in the plane half of it. */
+    public val pressure: BlockAverage
+        get() = average(*diagonal(::carried), *virials()) { it.sum() / space.dimensions }
 
     /**
      * Compressibility: pressure over [temperature], the pressure too without the mean flow as it is measured; 1 for

@@ -20,6 +20,9 @@ public interface BoundaryConditions {
     /** The box; infinite bounds on open axes. */
     public val box: Box
 
+    /** Space in which particles move: the plane where the box is flat, which is then open along z. */
+    public val space: Space get() = box.space
+
     /** What happens at the two faces across [axis] (0 = x, 1 = y, 2 = z). */
     public fun contactFaces(axis: Int): ContactFaces = ContactFaces.OPEN
 

@@ -8,3 +8,10 @@ public object Open : BoundaryConditions {
 
     override fun endStep(population: Population, time: Double): Unit = Unit
 }
+
+/** No boundary in the plane: discs may go anywhere in it. */
+public object OpenPlane : BoundaryConditions {
+    override val box: Box get() = Box.PLANE
+
+    override fun endStep(population: Population, time: Double): Unit = Unit
+}

@@ -2,7 +2,7 @@ package daphnis.core.boundary
 
 /**
  * A box that repeats along the axes marked in [periodic] (x, y, z) and is open along the others; contacts are found
- * through the faces.
+ * through the faces. A flat box is open along z.
  */
 public class Periodic @JvmOverloads constructor(
     override val box: Box,
@@ -10,7 +10,7 @@ public class Periodic @JvmOverloads constructor(
     periodicY: Boolean = true,
     periodicZ: Boolean = true,
 ) : PerSphereBoundary {
-    private val periodic = booleanArrayOf(periodicX, periodicY, periodicZ)
+    private val periodic = booleanArrayOf(periodicX, periodicY, periodicZ && !box.space.isPlane)
 
     init {
         requireFinite(box) { periodic[it] }

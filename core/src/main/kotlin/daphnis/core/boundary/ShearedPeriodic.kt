@@ -19,7 +19,8 @@ public class ShearedPeriodic(override val box: Box, public val velocityJump: Dou
 
     override val meanFlow: MeanFlow = MeanFlow(normalAxis = 1, flowAxis = 0, rate = velocityJump / box.length(1))
 
-    override fun contactFaces(axis: Int): ContactFaces = ContactFaces.WRAPPING
+    override fun contactFaces(axis: Int): ContactFaces =
+        if (axis < space.dimensions) ContactFaces.WRAPPING else ContactFaces.OPEN
 
     /** Whether the jumps of a sphere that passes very many boxes at once are finite. */
     internal val isFarFromInfinite: Boolean = abs(velocityJump) <= LARGE && box.length(1) >= 1 / LARGE
@@ -29,7 +30,7 @@ public class ShearedPeriodic(override val box: Box, public val velocityJump: Dou
         // v_x = γ y with γ L_y = jump: a sphere that leaves above enters below, where the flow is slower by the jump.
         wrap(population, 1, box, from, to) { k, boxes -> vx[k] -= boxes * velocityJump }
         wrap(population, 0, box, from, to)
-        wrap(population, 2, box, from, to)
+        if (!space.isPlane) wrap(population, 2, box, from, to)
     }
 
     private companion object {

@@ -20,15 +20,16 @@ import java.nio.ByteBuffer
  */
 internal class CrewSums(setup: ScenarioSetup) : RemoteParts {
     override val energies = EnergySums(setup.forces, setup.boundary)
-    override val spins = SpinSums(setup.momentFactor)
-    override val materials =
-        MaterialSums(setup.population.materials, setup.boundary.meanFlow, setup.scenario.firstBody)
+    override val spins = SpinSums(setup.momentFactor, setup.boundary.space)
+    override val materials = setup.boundary.let {
+        MaterialSums(setup.population.materials, it.meanFlow, setup.scenario.firstBody, it.space)
+    }
 
     // Of one node.
     private val firstOfNode = FirstMoments(setup.boundary.meanFlow?.normalAxis ?: 0, setup.scenario.firstBody)
     private val centralOfNode = CentralMoments(setup.boundary.meanFlow, setup.scenario.firstBody)
     private val energiesOfNode = EnergySums(setup.forces, setup.boundary)
-    private val spinsOfNode = SpinSums(setup.momentFactor)
+    private val spinsOfNode = SpinSums(setup.momentFactor, setup.boundary.space)
     private val materialsOfNode = MaterialSums(setup.population.materials)
     private var crew: Crew? = null
 
@@ -79,7 +80,7 @@ internal class NodeSums(
     private val first = FirstMoments(setup.boundary.meanFlow?.normalAxis ?: 0, setup.scenario.firstBody)
     private val central = CentralMoments(setup.boundary.meanFlow, setup.scenario.firstBody)
     private val energies = EnergySums(setup.forces, setup.boundary)
-    private val spins = SpinSums(setup.momentFactor)
+    private val spins = SpinSums(setup.momentFactor, setup.boundary.space)
     private var materials = byMaterial(0)
     private val means = Means()
 

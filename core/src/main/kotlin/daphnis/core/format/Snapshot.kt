@@ -80,6 +80,11 @@ public class Snapshot internal constructor(
         image, hasTime, shift,
     )
 
+    /** Whether nothing is out of the plane z = 0 or moves out of it: all z, v_z, and spins about x and y are 0. */
+    public val isInPlane: Boolean
+        get() = listOf(position[2], velocity[2]).all { column -> column.all { it == 0.0 } } &&
+            (!hasSpin || columns(SphereQuantity.SPIN).take(2).all { column -> column.all { it == 0.0 } })
+
     /** Number of spheres. */
     override val size: Int get() = id.size
 

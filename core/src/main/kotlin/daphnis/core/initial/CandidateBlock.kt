@@ -21,6 +21,7 @@ internal class CandidateBlock(
     private val walled: BooleanArray,
     capacity: Int,
 ) {
+    private val axes = box.space.dimensions
     private val drawn = Array(3) { DoubleArray(capacity) }
     private val place = Array(3) { DoubleArray(capacity) }
     private val verdicts = Array(capacity) { Verdict.OPEN }
@@ -29,17 +30,18 @@ internal class CandidateBlock(
     // Candidates that may be accepted, by hash of their cell.
     private val heads = IntArray(Integer.highestOneBit(4 * capacity))
     private val next = IntArray(capacity)
-    private val walls = walled.count { it }
+    private val walls = (0 until axes).count { walled[it] }
 
     /** Draws [count] places. */
     fun draw(count: Int, random: SeededRandom) {
         for (c in 0 until count) {
-            for (axis in 0..2) drawn[axis][c] = random.nextDouble()
+            for (axis in 0 until axes) drawn[axis][c] = random.nextDouble()
         }
     }
 
     /** Where candidate [c] is along [axis] for a sphere of [radius]. */
     fun coordinate(c: Int, axis: Int, radius: Double): Double {
+        if (axis >= axes) return 0.0
         val margin = if (walled[axis]) radius else 0.0
         val lower = box.lower(axis) + margin
         val upper = box.upper(axis) - margin
@@ -77,7 +79,12 @@ internal class CandidateBlock(
     private fun slack(least: Double, most: Double): Double {
         if (walls == 0 || least == most) return 0.0
         var size = 0.0
-        for (axis in 0..2) if (walled[axis]) size = maxOf(size, Math.abs(box.lower(axis)), Math.abs(box.upper(axis)))
+        for (axis in 0 until axes) {
+            if (walled[axis]) {
+                size =
+                    maxOf(size, Math.abs(box.lower(axis)), Math.abs(box.upper(axis)))
+            }
+        }
         return sqrt(walls.toDouble()) * (most - least) * (1 + ROUNDING) + ROUNDING * size
     }
 

@@ -1,6 +1,7 @@
 package daphnis.core.initial
 
 import daphnis.core.boundary.Box
+import daphnis.core.boundary.Space
 import kotlin.math.sqrt
 
 /** Refuses spheres that no search for free places can bring into a box, before a search begins. */
@@ -12,19 +13,27 @@ internal object Crowding {
     fun check(radii: DoubleArray, box: Box, walled: BooleanArray) {
         if (radii.isEmpty()) return
         val largest = radii.max()
-        for (axis in 0..2) {
+        val space = box.space
+        for (axis in 0 until space.dimensions) {
             if (walled[axis] && box.length(axis) <= 2 * largest) {
                 val name = "xyz"[axis]
                 throw PlacementException("a sphere of radius $largest does not fit between the walls along $name")
             }
         }
         val filling = fillingFactor(radii, box)
-        if (filling >= CLOSEST_PACKING) refuse(filling, "spheres fill $CLOSEST_PACKING at most")
+        if (filling >=
+            space.closestPacking
+        ) {
+            refuse(filling, "${what(space)} fill ${space.closestPacking} at most", space)
+        }
         if (radii.any { it != largest }) return
-        for (axis in 0..2) if (walled[axis]) layer(radii, largest, axis, box, walled)
-        val shortest = minOf(box.length(0), box.length(1), box.length(2))
+        for (axis in 0..2) if (walled[axis] && !space.isPlane) layer(radii, largest, axis, box, walled)
+        val shortest = (0 until space.dimensions).minOf { box.length(it) }
         val isLarge = radii.size >= MANY && shortest >= WIDE * largest
-        if (isLarge && filling > JAMMED) refuse(filling, "equal spheres at random jam at 0.384 or before")
+        if (isLarge && filling > if (space.isPlane) JAMMED_DISCS else JAMMED) {
+            val jam = if (space.isPlane) "0.547" else "0.384"
+            refuse(filling, "equal ${what(space)} at random jam at $jam or before", space)
+        }
     }
 
     /**
@@ -46,19 +55,26 @@ internal object Crowding {
         }
     }
 
-    private fun refuse(filling: Double, limit: String): Nothing = throw PlacementException(
-        "the filling factor would be $filling; $limit, and random placement reaches about 0.35; " +
-            "use a lattice above that",
+    private fun what(space: Space) = if (space.isPlane) "discs" else "spheres"
+
+    private fun refuse(filling: Double, limit: String, space: Space): Nothing = throw PlacementException(
+        "the ${if (space.isPlane) "area fraction" else "filling factor"} would be $filling; $limit, " +
+            "and random placement reaches about ${reached(space)}; use a lattice above that",
     )
 
-    private const val CLOSEST_PACKING = 0.7405
-    private const val CLOSEST_DISCS = 0.9069
+    /** What random placement reaches, of equal spheres or discs. */
+    fun reached(space: Space): Double = if (space.isPlane) 0.52 else 0.35
+
+    private val CLOSEST_DISCS = Space.PLANE.closestPacking
 
     /**
      * Random sequential addition jams at 0.384; with the tries allowed here it ends at 0.356 to 0.358. This holds in
      * boxes so large that their sides do not matter.
      */
     private const val JAMMED = 0.365
+
+    /** Discs jam at 0.547 (Torquato, Uche & Stillinger 2006, Phys. Rev. E 74, 061308). */
+    private const val JAMMED_DISCS = 0.54
     private const val MANY = 1000
     private const val WIDE = 16
 }

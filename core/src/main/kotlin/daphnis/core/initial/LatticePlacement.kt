@@ -7,7 +7,7 @@ import kotlin.math.sqrt
 /**
  * A lattice stretched to fit the box, with as many cells along each axis as leave the spheres farthest apart. Sites that
  * are left empty beyond [vacancies], if there are more than needed, are spread evenly. Face-centred cubic reaches a
- * filling factor of 0.6 and more in boxes that take whole cells.
+ * filling factor of 0.6 and more in boxes that take whole cells. In a flat box the lattice is hexagonal or square.
  *
  * @param vacancies share of the sites that stay empty, in [0, 1); which ones is drawn
  */
@@ -20,6 +20,7 @@ public class LatticePlacement @JvmOverloads constructor(
     }
 
     override fun place(radii: DoubleArray, box: Box, walled: BooleanArray, random: SeededRandom): Positions {
+        require(lattice.isPlane == box.space.isPlane) { "lattice $lattice does not fit into a box of ${box.space}" }
         val n = radii.size
         val largest = radii.max()
         val wanted = if (vacancies == 0.0) n else Math.rint(n / (1 - vacancies)).coerceAtMost(MOST_SITES).toInt()
@@ -33,6 +34,7 @@ public class LatticePlacement @JvmOverloads constructor(
         val basis = lattice.basis
         val sites = cells[0].toLong() * cells[1] * cells[2] * basis.size
         val width = DoubleArray(3) { width(it, cells[it], largest, box, walled) }
+        val axes = box.space.dimensions
         val low =
             DoubleArray(3) { if (walled[it]) box.lower(it) + largest - lattice.inset(it) * width[it] else box.lower(it) }
         val p = Array(3) { DoubleArray(n) }
@@ -40,7 +42,7 @@ public class LatticePlacement @JvmOverloads constructor(
             val site = (taken?.get(k) ?: k) * sites / wanted
             val b = basis[(site % basis.size).toInt()]
             var cell = site / basis.size
-            for (axis in 0..2) {
+            for (axis in 0 until axes) {
                 val c = cell % cells[axis]
                 cell /= cells[axis]
                 // A single site between walls is in the middle, and its cell has no width.
@@ -71,6 +73,7 @@ public class LatticePlacement @JvmOverloads constructor(
      * The numbers of cells, at least enough for [n], that keep neighbours farthest apart; null when even those touch.
      */
     private fun bestCells(n: Int, radius: Double, box: Box, walled: BooleanArray): IntArray? {
+        if (box.space.isPlane) return bestInPlane(n, radius, box, walled)
         val shape = lattice.shape
         val ideal = StrictMath.cbrt(box.volume * lattice.basis.size / n / (shape[0] * shape[1] * shape[2]))
         var best: IntArray? = null
@@ -91,6 +94,25 @@ public class LatticePlacement @JvmOverloads constructor(
                     bestDistance = distance
                     best = intArrayOf(a, b, c)
                 }
+            }
+        }
+        return best
+    }
+
+    /** The same in a flat box, for cells whose longer side is along x or along y. */
+    private fun bestInPlane(n: Int, radius: Double, box: Box, walled: BooleanArray): IntArray? {
+        val ideal = sqrt(box.volume * lattice.basis.size / n / lattice.shape[1])
+        var best: IntArray? = null
+        var bestDistance = 2 * radius * (1 + 1e-12)
+        val guesses = setOf(ideal, lattice.shape[1] * ideal).map { (box.length(0) / it).coerceIn(1.0, 1e6).toInt() }
+        for (a in guesses.flatMap { choices(it) }) {
+            val b = ceil(n.toDouble() / (a.toDouble() * lattice.basis.size)).coerceIn(1.0, 1e6).toInt()
+            val w = doubleArrayOf(width(0, a, radius, box, walled), width(1, b, radius, box, walled))
+            val distance = lattice.nearest(w)
+            val isEnough = a.toDouble() * b * lattice.basis.size >= n
+            if (isEnough && w.all { it > 0 } && distance >= bestDistance) {
+                bestDistance = distance
+                best = intArrayOf(a, b, 1)
             }
         }
         return best
@@ -134,14 +156,25 @@ public enum class Lattice(
         ),
         doubleArrayOf(1.0, sqrt(3.0), sqrt(8.0 / 3)),
     ),
+
+    /** Of discs in the plane. */
+    SQUARE(listOf(doubleArrayOf(0.5, 0.5))),
+
+    /** Of discs in the plane, by cells of two whose sides are as 1 to √3; fills 0.9069 at most. */
+    HEXAGONAL(listOf(doubleArrayOf(0.25, 0.25), doubleArrayOf(0.75, 0.75)), doubleArrayOf(1.0, sqrt(3.0), 1.0)),
     ;
 
     /** Least distance of a site from a face across [axis], in fractions of a cell. */
-    internal fun inset(axis: Int): Double = basis.minOf { it[axis] }
+    internal fun inset(axis: Int): Double = basis.minOf { it.getOrElse(axis) { 0.0 } }
+
+    /** Whether it is one of discs. */
+    internal val isPlane: Boolean get() = basis[0].size == 2
 
     /** Distance of nearest neighbours for cells of the given widths, over faces too. */
     internal fun nearest(w: DoubleArray): Double = when (this) {
         SIMPLE_CUBIC -> minOf(w[0], w[1], w[2])
+        SQUARE -> minOf(w[0], w[1])
+        HEXAGONAL -> minOf(w[0], w[1], half(w[0], w[1]))
         FACE_CENTRED_CUBIC -> minOf(
             minOf(w[0], w[1], w[2]),
             minOf(half(w[0], w[1]), half(w[0], w[2]), half(w[1], w[2])),

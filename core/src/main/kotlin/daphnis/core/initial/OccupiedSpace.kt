@@ -84,8 +84,9 @@ internal class OccupiedSpace(
     private fun octave(largest: Double): Octave {
         // No more than a few cells per sphere, however empty the box.
         val most = maxOf(64.0, 4.0 * next.size)
-        val width = maxOf(2 * largest, StrictMath.cbrt(box.volume / most))
-        val cells = IntArray(3) { (lengths[it] / width).coerceIn(1.0, 1e6).toInt() }
+        val width = maxOf(2 * largest, box.space.edge(box.volume / most))
+        val axes = box.space.dimensions
+        val cells = IntArray(3) { if (it < axes) (lengths[it] / width).coerceIn(1.0, 1e6).toInt() else 1 }
         while (cells[0].toDouble() * cells[1] * cells[2] > 8 * most) {
             for (k in 0..2) cells[k] = ceil(cells[k] / 2.0).toInt()
         }

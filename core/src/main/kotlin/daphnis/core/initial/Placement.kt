@@ -22,10 +22,10 @@ public class Positions(public val x: DoubleArray, public val y: DoubleArray, pub
 /** The spheres do not fit into the box in the way asked for. */
 public class PlacementException(message: String) : RuntimeException(message)
 
-/** Filling factor: volume of the spheres over the volume of [box]. */
+/** Filling factor: volume of the spheres over the volume of [box]; in a flat one the area fraction of discs. */
 @JvmName("of")
 public fun fillingFactor(radii: DoubleArray, box: Box): Double {
     var volume = 0.0
-    for (r in radii) volume += 4.0 / 3.0 * Math.PI * r * r * r
+    for (r in radii) volume += box.space.volume(r)
     return volume / box.volume
 }

@@ -1,6 +1,7 @@
 package daphnis.core.initial
 
 import daphnis.core.boundary.Box
+import daphnis.core.boundary.Space
 import daphnis.core.parallel.FixedPool
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.LoopStrategy
@@ -10,7 +11,7 @@ import daphnis.core.parallel.RangeLoop
 /**
  * Random sequential addition: spheres, the largest first, go to uniform random places until one is free. Reaches
  * filling factors near 0.35 for equal spheres (the process jams at 0.384, and the tries per sphere grow fast below
- * that).
+ * that), and 0.52 for discs in a flat box (0.547).
  *
  * Places are drawn and judged in blocks, see [CandidateBlock]. The result is that of one try after the other, bit for
  * bit, for any number of threads and any size of block.
@@ -46,10 +47,10 @@ public class RandomPlacement internal constructor(
         val size = blockSize ?: (radii.size / BLOCKS).coerceIn(SMALLEST_BLOCK, LARGEST_BLOCK)
         val block = CandidateBlock(space, box, walled, minOf(size, maxOf(1, radii.size)))
         if (threads == 1 || radii.size < leastForThreads) {
-            fill(space, block, size, radii.size, random, InlineLoop)
+            fill(space, block, size, radii.size, random, InlineLoop, box.space)
         } else {
             FixedPool(threads).use {
-                fill(space, block, size, radii.size, random, ParallelLoop(it, LoopStrategy.DYNAMIC))
+                fill(space, block, size, radii.size, random, ParallelLoop(it, LoopStrategy.DYNAMIC), box.space)
             }
         }
         val positions = Positions(DoubleArray(radii.size), DoubleArray(radii.size), DoubleArray(radii.size))
@@ -68,6 +69,7 @@ public class RandomPlacement internal constructor(
         spheres: Int,
         random: SeededRandom,
         loop: RangeLoop,
+        within: Space,
     ) {
         var rank = 0
         var tries = 0
@@ -85,18 +87,23 @@ public class RandomPlacement internal constructor(
                     tries = 0
                 } else {
                     if (++tries == mostTries) {
-                        refuse("no free place found for a sphere of radius ${space.radius(rank)} in $mostTries tries")
+                        refuse(
+                            "no free place found for a sphere of radius ${space.radius(rank)} in $mostTries tries",
+                            within,
+                        )
                     }
                     if (++vain == mostVain) {
-                        refuse("$rank of $spheres spheres found a place in $mostVain tries and more")
+                        refuse("$rank of $spheres spheres found a place in $mostVain tries and more", within)
                     }
                 }
             }
         }
     }
 
-    private fun refuse(what: String): Nothing = throw PlacementException(
-        "$what; random placement reaches a filling factor of about 0.35, use a lattice above that",
+    private fun refuse(what: String, space: Space): Nothing = throw PlacementException(
+        "$what; random placement reaches a filling factor of about ${Crowding.reached(
+            space,
+        )}, use a lattice above that",
     )
 
     /** How many spheres from [rank] on, at most [limit], share an octave. */

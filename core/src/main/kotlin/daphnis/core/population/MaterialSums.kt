@@ -1,5 +1,6 @@
 package daphnis.core.population
 
+import daphnis.core.boundary.Space
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
 
@@ -10,11 +11,13 @@ import daphnis.core.parallel.RangeLoop
  * @property materials names by number, see [Population.materials]
  * @param flow the mean flow that the boundary drives, or null
  * @param firstBody spheres with this id or a higher one are left out, such as moonlets; [Int.MAX_VALUE] for none
+ * @param space in which spheres move
  */
 public class MaterialSums @JvmOverloads constructor(
     public val materials: List<String>,
     private val flow: MeanFlow? = null,
     private val firstBody: Int = Int.MAX_VALUE,
+    private val space: Space = Space.VOLUME,
 ) {
     internal val parts = PartialSums(2 * materials.size) { from, to, into, _ -> add(from, to, into) }
     private val mean = DoubleArray(AXES)
@@ -24,13 +27,13 @@ public class MaterialSums @JvmOverloads constructor(
     public fun count(number: Int): Long = parts.value(materials.size + number).toLong()
 
     /**
-     * T = ⟨m c²⟩/3 of the spheres of the material of [number], an energy: c is the velocity without the boundary's flow
-     * and without the mean of all materials, weighted by mass (Garzó & Dufty 1999, Phys. Rev. E 60, 5706). No correction
-     * for degrees of freedom. NaN without spheres.
+     * T = ⟨m c²⟩/3, in the plane ⟨m c²⟩/2, of the spheres of the material of [number], an energy: c is the velocity
+     * without the boundary's flow and without the mean of all materials, weighted by mass (Garzó & Dufty 1999, Phys.
+     * Rev. E 60, 5706). No correction for degrees of freedom. NaN without spheres.
      */
     public fun temperature(number: Int): Double {
         val count = parts.value(materials.size + number)
-        return if (count > 0) parts.value(number) / count / AXES else Double.NaN
+        return if (count > 0) parts.value(number) / count / space.dimensions else Double.NaN
     }
 
     /**

@@ -1,5 +1,6 @@
 package daphnis.core.population
 
+import daphnis.core.boundary.Space
 import daphnis.core.orbit.OrbitalFrequencies
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
@@ -17,11 +18,13 @@ import kotlin.math.sqrt
  * @param frequencies of orbits in Hill's frame, or null
  * @param firstBody spheres with this id or a higher one are bodies, such as moonlets: they contribute to mass, momentum
  *   and energy, and to nothing else; [Int.MAX_VALUE] for none
+ * @param space in which spheres move, see [granularTemperature]
  */
 public class PopulationSums @JvmOverloads constructor(
     flow: MeanFlow?,
     internal val frequencies: OrbitalFrequencies? = null,
     internal val firstBody: Int = Int.MAX_VALUE,
+    internal val space: Space = Space.VOLUME,
 ) {
     private val flowAxis = flow?.flowAxis ?: -1
     private val normalAxis = flow?.normalAxis ?: 0
@@ -64,8 +67,13 @@ public class PopulationSums @JvmOverloads constructor(
     /** ⟨velocity − the boundary's flow⟩ along x, y, z; valid until the next [take]. */
     public val mean: DoubleArray = DoubleArray(3)
 
-    /** Granular temperature ⟨c²⟩/3, (length/time)². 0 for fewer than two particles. */
-    public val granularTemperature: Double get() = (fit.moments[0] + fit.moments[1] + fit.moments[2]) / 3
+    /** Granular temperature ⟨c²⟩/3, in the plane ⟨c²⟩/2, (length/time)². 0 for fewer than two particles. */
+    public val granularTemperature: Double
+        get() = (fit.moments[0] + fit.moments[1] + fit.moments[2]) / space.dimensions
+
+    /** √(2 E/(d M)) with d dimensions and E, M of particles and bodies: the rms of a component of velocity. */
+    public val rmsComponentSpeed: Double
+        get() = if (mass > 0) sqrt(2 * kineticEnergy / mass / space.dimensions) else 0.0
 
     /** Mean height of the particles. */
     public var centreZ: Double = 0.0

@@ -1,5 +1,6 @@
 package daphnis.core.population
 
+import daphnis.core.boundary.Space
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.surface.SurfaceContact
@@ -9,8 +10,12 @@ import daphnis.core.surface.SurfaceContact
  * the arrays. Made once and filled by [take]. All are 0 for spheres without spins.
  *
  * @param momentFactor moment of inertia of spheres over mass · radius²
+ * @param space in which spheres move: in the plane they spin about z alone
  */
-public class SpinSums @JvmOverloads constructor(private val momentFactor: Double = SurfaceContact.SOLID) {
+public class SpinSums @JvmOverloads constructor(
+    private val momentFactor: Double = SurfaceContact.SOLID,
+    private val space: Space = Space.VOLUME,
+) {
     internal val parts = PartialSums(SUMS) { from, to, into, block -> add(from, to, into, block) }
     private var population: Population? = null
 
@@ -18,11 +23,11 @@ public class SpinSums @JvmOverloads constructor(private val momentFactor: Double
     public val energyOfRotation: Double get() = parts.value(ENERGY) / 2
 
     /**
-     * ⟨I ω²⟩/3 over the mean mass, (length/time)²: comparable with the granular temperature ⟨c²⟩/3. The mean spin is not
-     * taken off. 0 without spheres.
+     * ⟨I ω²⟩/3, in the plane ⟨I ω²⟩, over the mean mass, (length/time)²: comparable with the granular temperature
+     * ⟨c²⟩/3. The mean spin is not taken off. 0 without spheres.
      */
     public val temperature: Double
-        get() = parts.value(MASS).let { if (it > 0) parts.value(ENERGY) / it / AXES else 0.0 }
+        get() = parts.value(MASS).let { if (it > 0) parts.value(ENERGY) / it / space.rotations else 0.0 }
 
     /** Mean of ω along [axis] over all spheres. */
     public fun mean(axis: Int): Double = parts.value(COUNT).let { if (it > 0) parts.value(SPINS + axis) / it else 0.0 }

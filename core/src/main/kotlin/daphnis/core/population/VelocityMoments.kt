@@ -1,5 +1,7 @@
 package daphnis.core.population
 
+import daphnis.core.boundary.BoundaryConditions
+import daphnis.core.boundary.Space
 import daphnis.core.orbit.OrbitalFrequencies
 import kotlin.math.sqrt
 
@@ -24,6 +26,7 @@ public class VelocityMoments private constructor(
     public val centreZ: Double,
     public val scaleHeight: Double,
     public val guidingX: Double,
+    private val space: Space,
 ) {
     /** √(⟨w_x²⟩ + ⟨w_y²⟩ + ⟨w_z²⟩): of all motion against the boundary's flow, that of waves too. */
     public val totalDispersion: Double get() = sqrt(kinetic[XX] + kinetic[YY] + kinetic[ZZ])
@@ -31,8 +34,8 @@ public class VelocityMoments private constructor(
     /** √(⟨c_x²⟩ + ⟨c_y²⟩ + ⟨c_z²⟩), the velocity dispersion of ring dynamics. */
     public val dispersion: Double get() = sqrt(moments[XX] + moments[YY] + moments[ZZ])
 
-    /** ⟨c²⟩/3. */
-    public val temperature: Double get() = (moments[XX] + moments[YY] + moments[ZZ]) / 3
+    /** ⟨c²⟩/3, in the plane ⟨c²⟩/2. */
+    public val temperature: Double get() = (moments[XX] + moments[YY] + moments[ZZ]) / space.dimensions
 
     public companion object {
         public const val XX: Int = 0
@@ -59,10 +62,29 @@ public class VelocityMoments private constructor(
             flow: MeanFlow?,
             frequencies: OrbitalFrequencies? = null,
             leastId: Int = Int.MAX_VALUE,
-        ): VelocityMoments {
-            val sums = PopulationSums(flow, frequencies, leastId)
+        ): VelocityMoments = of(population, PopulationSums(flow, frequencies, leastId))
+
+        /** The moments of [population] within [boundary], which drives the flow and whose space counts. */
+        @JvmStatic
+        @JvmOverloads
+        public fun within(
+            boundary: BoundaryConditions,
+            population: Population,
+            frequencies: OrbitalFrequencies? = null,
+            leastId: Int = Int.MAX_VALUE,
+        ): VelocityMoments = of(population, PopulationSums(boundary.meanFlow, frequencies, leastId, boundary.space))
+
+        private fun of(population: Population, sums: PopulationSums): VelocityMoments {
             sums.take(population)
-            return VelocityMoments(sums.moments, sums.kinetic, sums.mean, sums.centreZ, sums.scaleHeight, sums.guidingX)
+            return VelocityMoments(
+                sums.moments,
+                sums.kinetic,
+                sums.mean,
+                sums.centreZ,
+                sums.scaleHeight,
+                sums.guidingX,
+                sums.space,
+            )
         }
     }
 }

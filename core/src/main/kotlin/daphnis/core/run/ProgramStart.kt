@@ -99,7 +99,8 @@ private fun planOf(program: Program, population: Population, meta: CheckpointMet
             ModeSums.problem(simulation.boundary)?.let { throw IllegalArgumentException("output.modesEvery $it") }
         }
         requireFew(output, maxOf(abs(simulation.runStart), abs(program.until)))
-        val sums = PopulationSums(simulation.boundary.meanFlow, orbits, program.firstBody)
+        val boundary = simulation.boundary
+        val sums = PopulationSums(boundary.meanFlow, orbits, program.firstBody, boundary.space)
         val own = program.outputs().also { RunOutputs.requireFree(it.keys) }
         return RunPlan(null, program.name, program.until, endSlack(simulation.timeStep), output, own, simulation, sums)
     } catch (e: Throwable) {

@@ -60,13 +60,14 @@ internal class RunPlan(
 
 private fun spinSums(simulation: Simulation): SpinSums? {
     if (!simulation.population.hasSpin) return null
-    return simulation.collisions?.let { SpinSums(it.momentFactor) } ?: SpinSums()
+    return simulation.collisions?.let { SpinSums(it.momentFactor, simulation.boundary.space) } ?: SpinSums()
 }
 
 private fun materialSums(simulation: Simulation, scenario: ResolvedScenario?): MaterialSums? {
     val names = simulation.population.materials
     if (names.isEmpty()) return null
-    return MaterialSums(names, simulation.boundary.meanFlow, scenario?.firstBody ?: Int.MAX_VALUE)
+    val boundary = simulation.boundary
+    return MaterialSums(names, boundary.meanFlow, scenario?.firstBody ?: Int.MAX_VALUE, boundary.space)
 }
 
 /**
@@ -101,7 +102,8 @@ internal fun planOf(
         )
     }
     return closingIfItThrows(simulation) {
-        val sums = PopulationSums(setup.boundary.meanFlow, setup.frequencies, scenario.firstBody)
+        val boundary = setup.boundary
+        val sums = PopulationSums(boundary.meanFlow, setup.frequencies, scenario.firstBody, boundary.space)
         RunPlan(scenario, scenario.name, scenario.end, endSlack(scenario.timeStep), output, own, simulation, sums)
     }
 }

@@ -13,7 +13,6 @@ import daphnis.core.table.Columns
 import daphnis.core.table.Dimension
 import daphnis.core.table.Need
 import daphnis.core.table.TableColumns
-import kotlin.math.sqrt
 
 /** The declaration of [Series]. Without rows the file has its header: rows may begin at a resume. */
 internal object SeriesOutput : PeriodicOutput("series", OutputSpec::seriesEvery, OutputSpec::seriesInterval) {
@@ -92,9 +91,8 @@ public object SeriesColumns : TableColumns {
         rows.number("granular_temperature", Dimension.SPEED_SQUARED) { it.sums.granularTemperature }
 
     @JvmField
-    public val RMS_COMPONENT_SPEED: Column = rows.number("rms_component_speed", Dimension.SPEED) {
-        if (it.sums.mass > 0) sqrt(2 * it.sums.kineticEnergy / it.sums.mass / 3) else 0.0
-    }
+    public val RMS_COMPONENT_SPEED: Column =
+        rows.number("rms_component_speed", Dimension.SPEED) { it.sums.rmsComponentSpeed }
 
     @JvmField
     public val MOMENTUM: List<Column> =
@@ -143,7 +141,7 @@ public object SeriesColumns : TableColumns {
     private val ofGrowth = setOf(FILLING_FACTOR, REDUCED_PRESSURE)
     private val ofRotation = MEAN_SPIN.toSet() + ANGULAR_MOMENTUM + ROTATIONAL_ENERGY + ROTATIONAL_TEMPERATURE
 
-    /** Name of the column of the partial temperature ⟨m c²⟩/3 of [material], an energy, in runs with materials. */
+    /** Name of the column of the partial temperature, an energy, of [material] in runs with materials. */
     @JvmStatic
     public fun temperatureOf(material: String): String = "temperature_$material"
 

@@ -1,16 +1,24 @@
 package daphnis.core.scenario
 
+import daphnis.core.boundary.Space
 import daphnis.core.initial.Obstacle
 import daphnis.core.population.MeanFlow
 
 /** The large spheres of a scenario as columns, checked. */
-internal class Bodies(private val specs: List<BodySpec>, private val particles: ParticlesSpec, check: ValueCheck) {
+internal class Bodies(
+    private val specs: List<BodySpec>,
+    private val particles: ParticlesSpec,
+    private val space: Space,
+    check: ValueCheck,
+) {
     init {
         specs.forEachIndexed { k, body ->
             val key = "bodies[$k]"
             check.extent("$key.radius", body.radius)
             check.that("$key.position", body.position, body.position.size == 3) { "must be three numbers" }
             body.velocity?.let { check.that("$key.velocity", it, it.size == 3) { "must be three numbers" } }
+            requireInPlane(body.position, space, "$key.position", check)
+            body.velocity?.let { requireInPlane(it, space, "$key.velocity", check) }
             check.must(key, body.mass == null || body.density == null) {
                 "has a mass and a density; one of the two is enough"
             }
@@ -26,8 +34,12 @@ internal class Bodies(private val specs: List<BodySpec>, private val particles: 
 
     val mass: DoubleArray get() = DoubleArray(specs.size) {
         specs[it].mass
-            ?: (density(specs[it])!! * 4.0 / 3.0 * Math.PI * cube(specs[it].radius))
+            ?: mass(density(specs[it])!!, specs[it].radius)
     }
+
+    /** Of spheres in the order of products that is in the bits of runs. */
+    private fun mass(density: Double, r: Double) =
+        if (space.isPlane) density * space.volume(r) else density * 4.0 / 3.0 * Math.PI * (r * r * r)
 
     /** Its own, else that of other spheres of its material, else, where there are no materials, that of all. */
     private fun density(body: BodySpec): Double? = body.density ?: particles.materials.let { all ->
@@ -49,6 +61,9 @@ internal class Bodies(private val specs: List<BodySpec>, private val particles: 
         specs[it].velocity?.get(axis)
             ?: if (flow != null && flow.flowAxis == axis) flow.rate * specs[it].position[flow.normalAxis] else 0.0
     }
+}
 
-    private fun cube(r: Double) = r * r * r
+/** Refuses a vector that points out of the plane in which discs are. */
+internal fun requireInPlane(vector: List<Double>, space: Space, key: String, check: ValueCheck) {
+    check.that(key, vector, !space.isPlane || vector[2] == 0.0) { "must have 0 along z, with dimensions 2" }
 }

@@ -2,6 +2,7 @@ package daphnis.core.scenario
 
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
+import daphnis.core.boundary.OpenPlane
 import daphnis.core.orbit.OrbitalFrequencies
 import kotlinx.serialization.SerialName
 import kotlinx.serialization.Serializable
@@ -30,7 +31,7 @@ public sealed interface BoundarySpec {
     @SerialName("open")
     public class Open : BoundarySpec {
         override fun conditions(box: Box, frequencies: OrbitalFrequencies?, source: String): BoundaryConditions =
-            daphnis.core.boundary.Open
+            if (box.space.isPlane) OpenPlane else daphnis.core.boundary.Open
 
         override fun inWords(number: DoubleFunction<String>, speed: DoubleFunction<String>): String =
             "open: only where spheres are put"
@@ -69,9 +70,11 @@ public sealed interface BoundarySpec {
             val check = ValueCheck(source)
             check.that("boundary.axes", axes, known) { "must name axes, such as xyz or z" }
             check.fraction("boundary.restitution", restitution)
-            val walled = BooleanArray(AXES.length) { AXES[it] in axes }
-            val surfaces = roughness?.laws(axes, check) ?: emptyList()
-            val own = faces?.faces(axes, check) ?: emptyList()
+            val inSpace = axes.filter { AXES.indexOf(it) < box.space.dimensions }
+            check.that("boundary.axes", axes, inSpace.isNotEmpty()) { "must name x, y or both, with dimensions 2" }
+            val walled = BooleanArray(AXES.length) { AXES[it] in inSpace }
+            val surfaces = roughness?.laws(inSpace, check) ?: emptyList()
+            val own = faces?.faces(inSpace, check) ?: emptyList()
             for (face in own.indices) {
                 val isRough = surfaces.getOrNull(face) != null
                 check.must(

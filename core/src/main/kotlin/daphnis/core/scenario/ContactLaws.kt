@@ -80,16 +80,18 @@ internal class ContactLaws(
         if (sizes != null && sizes !is SizesSpec.Equal) return null
         val radius = (sizes as? SizesSpec.Equal)?.radius
         val mass = if (isOthers) particles.mass else kind?.mass
+        val space = scenario.space
         val density = kind?.density ?: particles.density
-        val drawn = radius?.let { One(it, mass ?: (density * VOLUME * it * it * it)) }
-        val bodies = Bodies(scenario.bodies, particles, check)
+        val drawn = radius?.let {
+            One(
+                it,
+                mass ?: (density * space.volume(1.0) * it * it * if (space.isPlane) 1.0 else it),
+            )
+        }
+        val bodies = Bodies(scenario.bodies, particles, scenario.space, check)
         val numbers = materials.ofBodies()
         val all = numbers.indices.filter { materials.names[numbers[it]] == name }
             .map { One(bodies.radius[it], bodies.mass[it]) } + listOfNotNull(drawn)
         return all.firstOrNull()?.takeIf { one -> all.all { it.radius == one.radius && it.mass == one.mass } }
-    }
-
-    private companion object {
-        const val VOLUME = 4.0 / 3.0 * Math.PI
     }
 }

@@ -23,6 +23,7 @@ internal class DrawnRadii(
     private val check: ValueCheck,
     private val stream: () -> SeededRandom,
 ) {
+    private val space = box.space
     private val isOneSize = kinds.all { it.least == kinds[0].least && it.most == it.least }
 
     fun draw(): Drawn {
@@ -51,10 +52,10 @@ internal class DrawnRadii(
             return filled(density * area, "particles.surfaceDensity", density) { kind, r -> kind.weight(r) }
         }
         val filling = spec.fillingFactor!!
-        check.that("particles.fillingFactor", filling, filling > 0 && filling < CLOSEST_PACKING) {
-            "must be in (0, $CLOSEST_PACKING), the closest packing"
+        check.that("particles.fillingFactor", filling, filling > 0 && filling < space.closestPacking) {
+            "must be in (0, ${space.closestPacking}), the closest packing"
         }
-        return filled(filling * box.volume, "particles.fillingFactor", filling) { _, r -> SphereKind.volume(r) }
+        return filled(filling * box.volume, "particles.fillingFactor", filling) { _, r -> space.volume(r) }
     }
 
     /** How many of [count] spheres are of each kind: what rounding down leaves goes to those of the largest rests. */
@@ -71,14 +72,14 @@ internal class DrawnRadii(
         val sum = counts.sumOf { it.toLong() }
         check.that(key, sum, sum <= MOST_PARTICLES) { "must be in 1..$MOST_PARTICLES" }
         val count = sum.toInt()
-        checkFilling(key, count, kinds.indices.sumOf { counts[it] * SphereKind.volume(kinds[it].least) }, "at least ")
+        checkFilling(key, count, kinds.indices.sumOf { counts[it] * space.volume(kinds[it].least) }, "at least ")
         if (!isRoomFor(count.toDouble())) {
             val random = stream()
             var all = 0.0
             for ((k, kind) in kinds.withIndex()) {
                 val sample = minOf(counts[k], SAMPLE / kinds.size)
                 var volume = 0.0
-                for (n in 0 until sample) volume += SphereKind.volume(kind.sizes.draw(random))
+                for (n in 0 until sample) volume += space.volume(kind.sizes.draw(random))
                 if (sample > 0) all += volume / sample * counts[k]
             }
             checkFilling(key, count, all, "about ")
@@ -89,7 +90,7 @@ internal class DrawnRadii(
         val all = radii.singleOrNull() ?: DoubleArray(count).also { all ->
             radii.fold(0) { at, its -> at + its.size.also { _ -> its.copyInto(all, at) } }
         }
-        checkFilling(key, count, all.sumOf { SphereKind.volume(it) })
+        checkFilling(key, count, all.sumOf { space.volume(it) })
         val of = IntArray(count)
         counts.foldIndexed(0) { k, at, its -> (at + its).also { of.fill(k, at, it) } }
         return mixed(all, of, random)
@@ -106,13 +107,13 @@ internal class DrawnRadii(
         if (only is EqualSizes) {
             val count = Math.rint(wanted / measure(kinds[0], only.radius))
             check.that(key, value, count >= 1) { "is less than one sphere in this box" }
-            checkFilling(key, value, count * SphereKind.volume(only.radius))
+            checkFilling(key, value, count * space.volume(only.radius))
             checkCount(key, value, count)
             checkMemory(key, count)
             return Drawn(DoubleArray(count.toInt()) { only.radius }, IntArray(count.toInt()))
         }
         // Volume per measure grows with the radius, or is the same for all.
-        val least = kinds.minOf { SphereKind.volume(it.least) / measure(it, it.least) }
+        val least = kinds.minOf { space.volume(it.least) / measure(it, it.least) }
         checkFilling(key, value, wanted * least, "at least ")
         checkCount(key, value, wanted / kinds.maxOf { measure(it, it.most) })
         val random = stream()
@@ -135,8 +136,8 @@ internal class DrawnRadii(
             radii[count++] = r
             taken[kind]++
             sum += its
-            volume += SphereKind.volume(r)
-            if (volume >= CLOSEST_PACKING * box.volume) checkFilling(key, value, volume, "at least ")
+            volume += space.volume(r)
+            if (volume >= space.closestPacking * box.volume) checkFilling(key, value, volume, "at least ")
         }
         check.that(key, value, count >= 1) { "is less than one sphere in this box" }
         taken.fill(0)
@@ -170,14 +171,19 @@ internal class DrawnRadii(
      * Refuses a total that is too large by a factor of [margin] when it is extrapolated from the [part] drawn so far.
      */
     private fun foresee(key: String, value: Double, count: Int, volume: Double, part: Double, margin: Double) {
-        if (volume / part >= margin * CLOSEST_PACKING * box.volume) checkFilling(key, value, volume / part, "about ")
+        if (volume / part >=
+            margin * space.closestPacking * box.volume
+        ) {
+            checkFilling(key, value, volume / part, "about ")
+        }
         if (count / part > margin * MOST_PARTICLES) checkCount(key, value, count / part)
     }
 
     private fun checkFilling(key: String, value: Number, volume: Double, bound: String = "") {
         val filling = volume / box.volume
-        check.that(key, value, filling < CLOSEST_PACKING) {
-            "gives a filling factor of ${if (isOneSize) "" else bound}$filling; it must be below $CLOSEST_PACKING"
+        val name = if (space.isPlane) "an area fraction" else "a filling factor"
+        check.that(key, value, filling < space.closestPacking) {
+            "gives $name of ${if (isOneSize) "" else bound}$filling; it must be below ${space.closestPacking}"
         }
     }
 
@@ -198,7 +204,6 @@ internal class DrawnRadii(
     }
 
     private companion object {
-        const val CLOSEST_PACKING = 0.7405
         const val MOST_PARTICLES = 200_000_000
         const val FEW = 1024
 

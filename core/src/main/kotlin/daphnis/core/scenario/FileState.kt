@@ -25,6 +25,7 @@ internal class FileState(
     private val materials: List<String>,
     private val start: Snapshot? = null,
 ) {
+    private val space = boundary.space
     private val spins = InitialSpins(scenario, boundary, check)
 
     /**
@@ -45,6 +46,7 @@ internal class FileState(
         val population = try {
             val snapshot = start ?: chosen(read(notices))
             requireTime(snapshot)
+            requireInPlane(snapshot)
             // A state of a run has been compared with the other scenario.
             if (start == null) requireBox(snapshot, notices)
             val all = withMaterials(withSpins(withMasses(snapshot, notices), notices), notices)
@@ -106,6 +108,20 @@ internal class FileState(
         check.must("placement.time", boundary.shear == null) {
             val moment = if (snapshot.hasTime) "is of time ${snapshot.time}" else "does not say of which time it is"
             "is missing; images slide, and the state in ${spec.path} $moment"
+        }
+    }
+
+    /** Discs are in the plane z = 0. */
+    private fun requireInPlane(snapshot: Snapshot) {
+        if (!space.isPlane) return
+        for (place in OUT_OF_PLANE) {
+            val column = snapshot.column(place)
+            val k = column.indices.find { column[it] != 0.0 } ?: continue
+            check.fail(
+                KEY,
+                "${spec.path}: particle ${snapshot.id[k]} has ${OUT_OF_PLANE_NAMES[place]} = ${column[k]}; " +
+                    "it must be 0, with dimensions 2",
+            )
         }
     }
 
@@ -176,7 +192,9 @@ internal class FileState(
         val density = spec.density ?: 1.0
         for (k in snapshot.mass.indices) {
             val r = snapshot.radius[k]
-            snapshot.mass[k] = density * 4.0 / 3.0 * Math.PI * r * r * r
+            // Of spheres in the order of products that is in the bits of runs.
+            snapshot.mass[k] =
+                if (space.isPlane) density * space.volume(r) else density * 4.0 / 3.0 * Math.PI * r * r * r
         }
         return snapshot
     }
@@ -184,5 +202,12 @@ internal class FileState(
     private companion object {
         const val KEY = "placement.path"
         const val MOST_NAMED = 10
+
+        /** Names by place of what discs have none of. */
+        val OUT_OF_PLANE_NAMES = listOf(SphereQuantity.POSITION, SphereQuantity.VELOCITY, SphereQuantity.SPIN)
+            .flatMap { q ->
+                q.places.zip(q.columns)
+            }.filter { it.second in setOf("z", "vz", "omegax", "omegay") }.toMap()
+        val OUT_OF_PLANE = OUT_OF_PLANE_NAMES.keys
     }
 }

@@ -32,6 +32,9 @@ internal class ForceSetup(
 
     private fun force(spec: ForceSpec, place: Int, firstBody: Int): Force {
         val key = "forces[$place]"
+        check.must(key, !scenario.space.isPlane || spec is ForceSpec.UniformAcceleration || spec is ThermostatSpec) {
+            "is a force in three dimensions; discs, with dimensions 2, know a uniform-acceleration and thermostats"
+        }
         return when (spec) {
             is ForceSpec.UniformAcceleration -> uniformAcceleration(spec, key)
             is ForceSpec.Satellite -> satellite(spec, key)
@@ -45,6 +48,7 @@ internal class ForceSetup(
     private fun uniformAcceleration(spec: ForceSpec.UniformAcceleration, key: String): Force {
         val a = spec.acceleration
         check.that("$key.acceleration", a, a.size == 3) { "must be three numbers" }
+        requireInPlane(a, scenario.space, "$key.acceleration", check)
         return UniformAcceleration(a[0], a[1], a[2])
     }
 

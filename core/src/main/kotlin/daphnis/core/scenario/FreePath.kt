@@ -38,8 +38,8 @@ internal object FreePath {
     fun length(population: Population, box: Box, boundary: BoundaryConditions): Double {
         val edge = (0..2).filter { boundary.contactFaces(it) != ContactFaces.OPEN }.minOfOrNull { box.length(it) }
         val most = edge?.let { it / 2 } ?: Double.MAX_VALUE
-        if (population.size == 0) return minOf(most, StrictMath.cbrt(box.volume))
-        val distance = StrictMath.cbrt(box.volume / population.size)
+        if (population.size == 0) return minOf(most, box.space.edge(box.volume))
+        val distance = box.space.edge(box.volume / population.size)
         val path = minOf(cheapest(population, box), DISTANCES * distance)
         return minOf(most, FASTEST * path)
     }
@@ -67,6 +67,12 @@ internal object FreePath {
             third += r * r * r
         }
         val n = population.size
+        if (box.space.isPlane) {
+            // Contact value of Henderson 1975 (Mol. Phys. 30, 971); the mean free path is that of discs.
+            val filling = minOf(Math.PI * second / box.volume, DENSEST)
+            val atContact = (1 - filling * 7 / 16) / ((1 - filling) * (1 - filling))
+            return PART * sqrt(box.volume / (2 * sqrt(2.0) * n * atContact))
+        }
         val filling = minOf(4.0 / 3 * Math.PI * third / box.volume, DENSEST)
         val empty = 1 - filling
         val atContact = (1 - filling / 2) / (empty * empty * empty)

@@ -6,7 +6,6 @@ import daphnis.core.format.SnapshotCheck
 import daphnis.core.initial.GaussianVelocities
 import daphnis.core.initial.SeededRandom
 import daphnis.core.population.Population
-import daphnis.core.surface.SurfaceContact
 import kotlin.math.abs
 import kotlin.math.sqrt
 
@@ -23,7 +22,7 @@ internal class InitialSpins(
             (0 until WallContact.FACES).any { boundary.wallRoughness(it) != null }
 
     /** Moment of inertia over mass · radius². */
-    val momentFactor: Double get() = scenario.roughness?.momentFactor ?: SurfaceContact.SOLID
+    val momentFactor: Double get() = scenario.momentFactor
 
     /** Checks what can be wrong whether or not spins are drawn. */
     fun check() {
@@ -31,8 +30,12 @@ internal class InitialSpins(
             "are of spheres that spin; give roughness, such as {\"type\": \"smooth\"}"
         }
         val factor = momentFactor
-        check.that("roughness.momentFactor", factor, factor > 0 && factor <= MOST) {
-            "must be > 0 and at most 2/3, that of a hollow sphere"
+        check.that("roughness.momentFactor", factor, factor > 0 && factor <= scenario.space.mostMomentFactor) {
+            if (scenario.space.isPlane) {
+                "must be > 0 and at most 1, that of a ring"
+            } else {
+                "must be > 0 and at most 2/3, that of a hollow sphere"
+            }
         }
     }
 
@@ -47,13 +50,19 @@ internal class InitialSpins(
         check.that("spins.mean", spec.mean, spec.mean.size == AXES && spec.mean.all { it.isFinite() }) {
             "must be three numbers, along x, y and z"
         }
+        val space = scenario.space
+        check.that("spins.mean", spec.mean, !space.isPlane || spec.mean[0] == 0.0 && spec.mean[1] == 0.0) {
+            "must be 0 along x and y, with dimensions 2"
+        }
+        // Discs spin about z alone.
+        val first = AXES - space.rotations
         val w = Array(AXES) { DoubleArray(population.size) }
         val into = DoubleArray(AXES)
         val field = GaussianVelocities(1.0)
         for (k in 0 until population.size - bodies) {
             val sigma = if (spec is SpinsSpec.Gaussian) deviation(spec, population, k) else 0.0
             if (sigma > 0) field.draw(random, into)
-            for (axis in 0 until AXES) w[axis][k] = spec.mean[axis] + sigma * into[axis]
+            for (axis in first until AXES) w[axis][k] = spec.mean[axis] + sigma * into[axis]
         }
         for (column in w) {
             for (k in column.indices) {
@@ -81,6 +90,5 @@ internal class InitialSpins(
 
     private companion object {
         const val AXES = 3
-        const val MOST = 2.0 / 3.0
     }
 }

@@ -45,10 +45,10 @@ internal class InitialState(
         }
         val spec =
             scenario.particles ?: check.fail("particles", "is missing; it is needed unless the placement is a file")
-        val kinds = SphereKind.of(spec, check)
+        val kinds = SphereKind.of(spec, box.space, check)
         val drawn = DrawnRadii(spec, kinds, box, check) { stream(SIZES) }.draw()
         val radii = drawn.radii
-        val bodies = Bodies(scenario.bodies, spec, check)
+        val bodies = Bodies(scenario.bodies, spec, box.space, check)
         val positions = try {
             if (placement is PlacementSpec.Lattice) {
                 check.must("bodies", scenario.bodies.isEmpty()) { "need random placement, which goes around them" }
@@ -106,11 +106,13 @@ internal class InitialState(
         check.that("placement.vacancies", spec.vacancies, spec.vacancies >= 0 && spec.vacancies < 1) {
             "must be a share of the sites, at least 0 and less than 1"
         }
-        val lattice = when (spec.lattice) {
-            LatticeName.CUBIC -> Lattice.SIMPLE_CUBIC
-            LatticeName.FCC -> Lattice.FACE_CENTRED_CUBIC
-            LatticeName.BCC -> Lattice.BODY_CENTRED_CUBIC
-            LatticeName.HCP -> Lattice.HEXAGONAL_CLOSE_PACKED
+        val lattice = spec.lattice.lattice
+        check.must("placement.lattice", lattice.isPlane == box.space.isPlane) {
+            if (lattice.isPlane) {
+                "is of discs, which need dimensions 2"
+            } else {
+                "is of spheres; with dimensions 2 it must be hexagonal or square"
+            }
         }
         return LatticePlacement(lattice, spec.vacancies)
     }

@@ -64,7 +64,7 @@ internal class InitialVelocities(
         val drawn = DoubleArray(3)
         for (k in v[0].indices) {
             draw(k, drawn)
-            for (axis in 0..2) v[axis][k] = drawn[axis]
+            for (axis in 0 until boundary.space.dimensions) v[axis][k] = drawn[axis]
         }
     }
 
@@ -113,7 +113,7 @@ internal class InitialVelocities(
         val radii = DoubleArray(masses.size) { 1.0 }
         return granularTemperature(
             Population(x, y, z, w[0], w[1], w[2], radii, masses.copyOf()),
-            boundary.meanFlow,
+            boundary,
         )
     }
 

@@ -1,5 +1,6 @@
 package daphnis.core.scenario
 
+import daphnis.core.initial.Lattice
 import kotlinx.serialization.EncodeDefault
 import kotlinx.serialization.ExperimentalSerializationApi
 import kotlinx.serialization.SerialName
@@ -19,7 +20,10 @@ public sealed interface PlacementSpec {
     @SerialName("grown")
     public class Grown : PlacementSpec
 
-    /** @property vacancies share of the sites that stay empty, in [0, 1) */
+    /**
+     * @property lattice `fcc`, `hcp`, `bcc` or `cubic`, of discs `hexagonal` or `square`
+     * @property vacancies share of the sites that stay empty, in [0, 1)
+     */
     @OptIn(ExperimentalSerializationApi::class)
     @Serializable
     @SerialName("lattice")
@@ -91,16 +95,22 @@ public enum class OverlapsName {
 }
 
 @Serializable
-public enum class LatticeName {
+public enum class LatticeName(internal val lattice: Lattice) {
     @SerialName("fcc")
-    FCC,
+    FCC(Lattice.FACE_CENTRED_CUBIC),
 
     @SerialName("cubic")
-    CUBIC,
+    CUBIC(Lattice.SIMPLE_CUBIC),
 
     @SerialName("bcc")
-    BCC,
+    BCC(Lattice.BODY_CENTRED_CUBIC),
 
     @SerialName("hcp")
-    HCP,
+    HCP(Lattice.HEXAGONAL_CLOSE_PACKED),
+
+    @SerialName("hexagonal")
+    HEXAGONAL(Lattice.HEXAGONAL),
+
+    @SerialName("square")
+    SQUARE(Lattice.SQUARE),
 }

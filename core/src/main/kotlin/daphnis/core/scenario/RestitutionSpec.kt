@@ -1,5 +1,6 @@
 package daphnis.core.scenario
 
+import daphnis.core.boundary.Space
 import daphnis.core.collision.BorderiesRestitution
 import daphnis.core.collision.BridgesRestitution
 import daphnis.core.collision.ConstantRestitution
@@ -103,6 +104,7 @@ internal fun RestitutionSpec.law(scenario: Scenario, check: ValueCheck, key: Str
             },
             key,
             unit,
+            scenario.space,
             check,
         )
     }
@@ -131,6 +133,7 @@ private fun RestitutionSpec.Viscoelastic.viscoelastic(
     particles: ParticlesSpec?,
     key: String,
     unit: Double,
+    space: Space,
     check: ValueCheck,
 ): ContactLaw {
     check.that("$key.coefficient", coefficient, coefficient > 0 && coefficient <= 1) { "must be in (0, 1]" }
@@ -138,10 +141,10 @@ private fun RestitutionSpec.Viscoelastic.viscoelastic(
     val r = radius ?: (particles?.sizes as? SizesSpec.Equal)?.radius
         ?: check.fail("$key.radius", "is missing; give that of two spheres that have the coefficient")
     check.extent("$key.radius", r)
-    val m = mass ?: particles?.mass ?: particles?.let { it.density * VOLUME * r * r * r }
-        ?: check.fail("$key.mass", "is missing; give that of a sphere with the radius")
+    val m =
+        mass ?: particles?.mass
+            ?: particles?.let { it.density * space.volume(1.0) * r * r * if (space.isPlane) 1.0 else r }
+            ?: check.fail("$key.mass", "is missing; give that of a sphere with the radius")
     check.positive("$key.mass", m)
     return ViscoelasticRestitution(coefficient, speed, r, m, unit)
 }
-
-private const val VOLUME = 4.0 / 3.0 * Math.PI

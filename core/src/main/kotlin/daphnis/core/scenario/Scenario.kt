@@ -1,6 +1,7 @@
 package daphnis.core.scenario
 
 import daphnis.core.Engines
+import daphnis.core.boundary.Space
 import daphnis.core.engine.EngineFactory
 import daphnis.core.parallel.ThreadHandler
 import daphnis.core.search.SearchStructure
@@ -45,6 +46,7 @@ public data class Scenario @JvmOverloads constructor(
     override val spins: SpinsSpec? = null,
     @EncodeDefault(EncodeDefault.Mode.NEVER) override val contacts: List<ContactSpec> = emptyList(),
     override val growth: GrowthSpec? = null,
+    @EncodeDefault(EncodeDefault.Mode.NEVER) override val dimensions: Int = Space.VOLUME.dimensions,
     /** From a [ResolvedScenario] that was written to a file; a new initial state has its own. */
     internal val firstBody: Int? = null,
 ) : ScenarioParts {
@@ -80,7 +82,7 @@ public sealed interface FrameSpec {
     ) : FrameSpec
 }
 
-/** @property lengths edges along x, y, z; the box is centred on the origin */
+/** @property lengths edges along x, y and, of three dimensions, z; the box is centred on the origin */
 @Serializable
 public class BoxSpec(public val lengths: List<Double>)
 

@@ -1,6 +1,7 @@
 package daphnis.core.scenario
 
 import daphnis.core.Clock
+import daphnis.core.boundary.Space
 import daphnis.core.search.SearchStructure
 
 /** What a scenario as its author wrote it ([Scenario]) and as a run has it ([ResolvedScenario]) have in common. */
@@ -33,6 +34,15 @@ public interface ScenarioParts {
     public val search: SearchStructure
     public val engine: EngineSpec
     public val output: OutputSpec
+
+    /** 3, or 2 for discs in the plane z = 0. */
+    public val dimensions: Int
+
+    /** Space in which spheres move. */
+    public val space: Space get() = Space.of(dimensions)
+
+    /** Moment of inertia of the spheres over mass · radius². */
+    public val momentFactor: Double get() = roughness?.momentFactor ?: space.momentFactor
 
     /**
      * Names of the materials by number: of [particles], `particles` where these have none and a body has one, and then

@@ -24,7 +24,6 @@ import daphnis.core.parallel.ThreadHandler
 import daphnis.core.population.Population
 import daphnis.core.surface.ContactLaw
 import daphnis.core.surface.Roughness
-import daphnis.core.surface.SurfaceContact
 import kotlin.math.sqrt
 
 /**
@@ -54,7 +53,7 @@ public class ScenarioSetup private constructor(
     public val angularSpeed: Double? get() = frequencies?.omega
 
     /** Moment of inertia of the spheres over mass · radius². */
-    public val momentFactor: Double get() = scenario.roughness?.momentFactor ?: SurfaceContact.SOLID
+    public val momentFactor: Double get() = scenario.momentFactor
 
     /**
      * The collisions of a simulation of this, computed by [engine].
@@ -212,7 +211,7 @@ public class ScenarioSetup private constructor(
         /** A cell that was left out becomes the mean distance between spheres, and a path that of [FreePath]. */
         private fun resolve(spec: TimeStepSpec, around: Surroundings, population: Population): TimeStepSpec = when {
             spec is TimeStepSpec.CellCrossing && spec.cell == null -> {
-                val cell = StrictMath.cbrt(around.box.volume / population.size)
+                val cell = around.box.space.edge(around.box.volume / population.size)
                 TimeStepSpec.CellCrossing(spec.fraction, cell, spec.longest)
             }
             spec is TimeStepSpec.Automatic && spec.path == null ->

@@ -1,5 +1,6 @@
 package daphnis.core.scenario
 
+import daphnis.core.boundary.Space
 import daphnis.core.format.SnapshotCheck
 import daphnis.core.initial.EqualSizes
 import daphnis.core.initial.ListedSizes
@@ -20,6 +21,7 @@ internal class SphereKind private constructor(
     spec: SizesSpec,
     private val density: Double,
     private val mass: Double?,
+    private val space: Space,
     private val check: ValueCheck,
 ) {
     val sizes: SizeDistribution = try {
@@ -60,7 +62,7 @@ internal class SphereKind private constructor(
     }
 
     /** The mass of a sphere of [radius], not checked. */
-    fun weight(radius: Double): Double = mass ?: (density * volume(radius))
+    fun weight(radius: Double): Double = mass ?: (density * space.volume(radius))
 
     /** The mass of a sphere of [radius]. */
     fun mass(radius: Double): Double {
@@ -73,19 +75,17 @@ internal class SphereKind private constructor(
 
     companion object {
         /** The kinds of the spheres of [spec], by number of material. */
-        fun of(spec: ParticlesSpec, check: ValueCheck): List<SphereKind> {
+        fun of(spec: ParticlesSpec, space: Space, check: ValueCheck): List<SphereKind> {
             val materials = spec.materials
             if (materials == null) {
                 val sizes = spec.sizes ?: check.fail("particles.sizes", "is missing; give it, or materials")
-                return listOf(SphereKind("particles", 1.0, sizes, spec.density, spec.mass, check))
+                return listOf(SphereKind("particles", 1.0, sizes, spec.density, spec.mass, space, check))
             }
             val all = materials.sumOf { it.count?.toDouble() ?: 0.0 }
             return materials.mapIndexed { k, one ->
                 val share = one.share ?: (one.count!! / all)
-                SphereKind("particles.materials[$k]", share, one.sizes, one.density, one.mass, check)
+                SphereKind("particles.materials[$k]", share, one.sizes, one.density, one.mass, space, check)
             }
         }
-
-        fun volume(radius: Double): Double = 4.0 / 3.0 * Math.PI * radius * radius * radius
     }
 }

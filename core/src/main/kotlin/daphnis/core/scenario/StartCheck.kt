@@ -32,7 +32,7 @@ internal class StartCheck(
         val isKnown = isPlaced || timeStep is FixedTimeStep
         val box = boundary.box
         val largest = population.radius.max()
-        for (axis in 0..2) {
+        for (axis in 0 until boundary.space.dimensions) {
             val length = box.length(axis)
             val key = "box.lengths[$axis]"
             when (boundary.contactFaces(axis)) {

@@ -64,11 +64,23 @@ public class Surroundings private constructor(
 
         private fun box(scenario: Scenario, check: ValueCheck): Box {
             val lengths = scenario.box.lengths
-            check.that("box.lengths", lengths, lengths.size == 3) {
-                "must be three numbers, the edges along x, y and z"
+            val dimensions = scenario.dimensions
+            check.that("dimensions", dimensions, dimensions == 2 || dimensions == 3) { "must be 2 or 3" }
+            check.that("box.lengths", lengths, lengths.size == dimensions) {
+                if (dimensions == 2) {
+                    "must be two numbers, the edges along x and y, with dimensions 2"
+                } else {
+                    val flat = if (lengths.size == 2) "; discs in a plane need dimensions 2" else ""
+                    "must be three numbers, the edges along x, y and z$flat"
+                }
             }
             lengths.forEachIndexed { k, length -> check.extent("box.lengths[$k]", length) }
-            val box = Box.centred(lengths[0], lengths[1], lengths[2])
+            val box = if (dimensions == 2) {
+                check.must("frame", scenario.frame == null) { "is of a ring, which has a height; it has dimensions 3" }
+                Box.flat(lengths[0], lengths[1])
+            } else {
+                Box.centred(lengths[0], lengths[1], lengths[2])
+            }
             check.that("box.lengths", lengths, box.volume > 0 && box.volume.isFinite()) {
                 "give a volume of ${box.volume}; it must be positive and finite"
             }

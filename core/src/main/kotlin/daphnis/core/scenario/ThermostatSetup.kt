@@ -22,12 +22,12 @@ internal class ThermostatSetup(
             is ThermostatSpec.Andersen -> {
                 check.that("$key.rate", spec.rate, spec.rate >= 0) { "must be at least 0" }
                 temperature("$key.temperature", spec.temperature)
-                Andersen(own, spec.rate, spec.temperature, spec.conserveMomentum, boundary.meanFlow, firstBody)
+                Andersen(own, spec.rate, spec.temperature, spec.conserveMomentum, boundary, firstBody)
             }
             is ThermostatSpec.Rescaling -> {
                 temperature("$key.temperature", spec.temperature)
                 check.that("$key.time", spec.time, spec.time >= 0) { "must be at least 0 (0 for at once)" }
-                Rescaling(spec.temperature, spec.time, boundary.meanFlow, firstBody)
+                Rescaling(spec.temperature, spec.time, boundary, firstBody)
             }
         }
     }
@@ -47,7 +47,7 @@ internal class ThermostatSetup(
         }
         check.must(key, intensity.isFinite()) { "makes noise of intensity $intensity; it must be finite" }
         return WhiteNoise(
-            seed, intensity, spec.drag, bath != null, spec.conserveMomentum, boundary.meanFlow, firstBody,
+            seed, intensity, spec.drag, bath != null, spec.conserveMomentum, boundary, firstBody,
         )
     }
 

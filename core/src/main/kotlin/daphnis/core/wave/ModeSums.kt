@@ -36,11 +36,11 @@ public enum class ModeQuantity {
  * exact for the surface density; for the others, which are weighted by mass, it holds to first order in the density's
  * modes. Mode 0 is q₀, and for the density 1.
  *
- * The temperature is local: |c|²/3, with c around the *field of the modes* in x and y and around the mean in z. That
- * field has the same wavenumbers up to [modes] and fits the velocities best by least squares, weighted by mass. The
- * squares of c are corrected for the degrees of freedom that the fit takes, 2 [modes] + 1 from each of both components.
- * Motion at wavelengths shorter than that of the last mode counts as temperature. It is NaN where there are no more
- * particles than that, or where they do not tell the field.
+ * The temperature is local: |c|²/3 (in the plane /2), with c around the *field of the modes* in x and y and around the
+ * mean in z. That field has the same wavenumbers up to [modes] and fits the velocities best by least squares, weighted
+ * by mass. The squares of c are corrected for the degrees of freedom that the fit takes, 2 [modes] + 1 from each of
+ * both components. Motion at wavelengths shorter than that of the last mode counts as temperature. It is NaN where
+ * there are no more particles than that, or where they do not tell the field.
  *
  * @property modes number of modes beside mode 0, 1 to [MOST_MODES]
  * @param firstBody spheres with this id or a higher one are left out, such as moonlets; [Int.MAX_VALUE] for none
@@ -57,6 +57,7 @@ public class ModeSums @JvmOverloads constructor(
     }
 
     private val flow = boundary.meanFlow
+    private val dimensions = boundary.space.dimensions
 
     /** The axis of the wave vectors: across the flow that the boundary drives, else x. */
     public val axis: Int = axisOf(boundary)
@@ -100,8 +101,8 @@ public class ModeSums @JvmOverloads constructor(
         val mass = sums.masses.cosine(0)
         val left = sums.count - 2.0 * modes - 1
         val isTold = left > 0 && field.fit(sums.masses, sums.momenta)
-        overPlane = if (isTold) sums.count / left / AXES else Double.NaN
-        overHeight = if (isTold) sums.count / (sums.count - 1.0) / AXES else Double.NaN
+        overPlane = if (isTold) sums.count / left / dimensions else Double.NaN
+        overHeight = if (isTold) sums.count / (sums.count - 1.0) / dimensions else Double.NaN
         meanHeightSpeed = sums.vertical.value() / mass
         loop.run(size, takeSecond)
         for (k in 1 until shares.count) sums.heat.merge(shares[k].heat)
@@ -215,7 +216,6 @@ public class ModeSums @JvmOverloads constructor(
     public companion object {
         /** The largest number of modes. */
         public const val MOST_MODES: Int = 64
-        private const val AXES = 3
 
         private fun axisOf(boundary: BoundaryConditions) = boundary.meanFlow?.normalAxis ?: 0
 

@@ -194,9 +194,9 @@ class Draw(override val seed: Long) : Case {
     }
 
     private fun thermostats(): List<Force> = when (seed % 8) {
-        1L -> listOf(WhiteNoise(seed, 0.2, 0.3, conservesMomentum = true, flow = boundary.meanFlow))
-        3L -> listOf(Andersen(seed, 0.5, 1.0, flow = boundary.meanFlow), WhiteNoise(-seed, 0.1))
-        5L -> listOf(Rescaling(1.0, dt, boundary.meanFlow))
+        1L -> listOf(WhiteNoise(seed, 0.2, 0.3, conservesMomentum = true, boundary = boundary))
+        3L -> listOf(Andersen(seed, 0.5, 1.0, boundary = boundary), WhiteNoise(-seed, 0.1))
+        5L -> listOf(Rescaling(1.0, dt, boundary))
         else -> emptyList()
     }
 

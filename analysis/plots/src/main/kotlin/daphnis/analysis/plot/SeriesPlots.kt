@@ -100,7 +100,7 @@ internal class SeriesPlots(
     }
 
     companion object {
-        const val TEMPERATURE = "granular temperature ⟨c²⟩/3"
+        const val TEMPERATURE = "granular temperature"
         const val RATE = "collisions per particle"
 
         /** Of a plot, which is of one quantity. */

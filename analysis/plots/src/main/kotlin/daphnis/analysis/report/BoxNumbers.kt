@@ -1,7 +1,6 @@
 package daphnis.analysis.report
 
 import daphnis.analysis.transport.Transport
-import kotlin.math.PI
 
 /** The quantities of a box without Hill's frame, at rest or sheared. */
 internal class BoxNumbers(private val study: Study) {
@@ -10,17 +9,22 @@ internal class BoxNumbers(private val study: Study) {
     private val motion = study.motion
     private val population = study.last.population
     private val flow = study.last.boundary.meanFlow
+    private val space = study.last.boundary.space
     private val rows = NumberRows(references())
 
     fun rows(): List<NumberRow> {
         val transport = motion.transport
-        rows.exact("filling_factor", "filling factor φ", bulk.fillingFactor, "")
+        if (space.isPlane) {
+            rows.exact("area_fraction", "area fraction ν", bulk.fillingFactor, "")
+        } else {
+            rows.exact("filling_factor", "filling factor φ", bulk.fillingFactor, "")
+        }
         rows.exact("mean_radius", "mean radius", bulk.meanRadius, units.length)
         if (!study.input.hasVelocities) return rows.list()
         val isOld = flow != null && transport?.isPeculiar == false
         rows.average(
             "granular_temperature",
-            "granular temperature ⟨c²⟩/3",
+            "granular temperature ⟨c²⟩/${space.dimensions}",
             motion.temperature,
             units.temperature,
             if (isOld) "around the boundary's straight flow: transport.csv is of an older version" else "",
@@ -30,7 +34,12 @@ internal class BoxNumbers(private val study: Study) {
         further.add()
         if (transport == null) return rows.list()
         rows.average("collisions_per_particle", "collisions per particle", transport.collisionRate, units.rate)
-        rows.average("compressibility", "compressibility p V / (M T)", transport.compressibility, "")
+        rows.average(
+            "compressibility",
+            "compressibility p ${if (space.isPlane) "A" else "V"} / (M T)",
+            transport.compressibility,
+            "",
+        )
         if (flow != null && flow.rate != 0.0) sheared(transport, flow.rate)
         return rows.list()
     }
@@ -43,15 +52,15 @@ internal class BoxNumbers(private val study: Study) {
             References.ofShear(scenario, last, filling)
     }
 
-    /** T/(γσ)², stresses over ρ_p σ²γ² with ρ_p the mass of a sphere over its volume. */
+    /** T/(γσ)², stresses over ρ_p σ²γ² with ρ_p the mass of a sphere over its volume, of a disc over its area. */
     private fun sheared(transport: Transport, rate: Double) {
         val mass = population.mass.sum()
         val diameter = 2 * bulk.meanRadius
         val gamma2 = rate * rate * diameter * diameter
         val stress =
             mass / study.last.boundary.box.volume /
-                (population.mass.average() / (PI / 6 * diameter * diameter * diameter) * gamma2)
-        val note = "γ: shear rate; σ in T*, p*, τ*: mean diameter; ρ_p: density of a sphere"
+                (population.mass.average() / space.volume(diameter / 2) * gamma2)
+        val note = "γ: shear rate; σ in T*, p*, τ*: mean diameter; ρ_p: density of a ${if (space.isPlane) "disc" else "sphere"}"
         rows.average("reduced_temperature", "temperature T* = T/(γσ)²", transport.temperature * (1 / gamma2), "", note)
         rows.average("reduced_pressure", "pressure p* = p/(ρ_p σ²γ²)", transport.pressure * stress, "")
         val shearStress = transport.pressure("xy") * (-stress * Math.signum(rate))

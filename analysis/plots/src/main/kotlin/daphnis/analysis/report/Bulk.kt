@@ -9,6 +9,7 @@ import kotlin.math.PI
 internal class Bulk(state: State, input: AnalysisInput) {
     private val population = state.population
     private val indices = (0 until population.size).filter { state.isParticle(it) }
+    private val space = state.boundary.space
     private val volume = state.boundary.box.volume
 
     val particles: Int = indices.size
@@ -25,8 +26,9 @@ internal class Bulk(state: State, input: AnalysisInput) {
 
     val opticalDepth: Double = indices.sumOf { PI * population.radius[it] * population.radius[it] } / state.area
     val surfaceDensity: Double = indices.sumOf { population.mass[it] } / state.area
-    val fillingFactor: Double =
-        indices.sumOf { 4.0 / 3 * PI * population.radius[it] * population.radius[it] * population.radius[it] } / volume
+
+    /** Of discs the area fraction. */
+    val fillingFactor: Double = indices.sumOf { space.volume(population.radius[it]) } / volume
     val numberDensity: Double = particles / volume
 
     /** G of the run's self-gravity; null without. */

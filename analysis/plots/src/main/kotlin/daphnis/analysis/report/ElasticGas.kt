@@ -17,7 +17,7 @@ internal object ElasticGas {
         val isElastic = scenario.impacts.all { (it.restitution as? RestitutionSpec.Constant)?.coefficient == 1.0 }
         return isElastic &&
             scenario.boundary is BoundarySpec.Periodic &&
-            (0..2).all { last.boundary.repeats(it) } &&
+            (0 until last.dimensions).all { last.boundary.repeats(it) } &&
             scenario.frame == null &&
             isSmooth(scenario) &&
             scenario.forces.isEmpty() &&
@@ -33,7 +33,7 @@ internal object ElasticGas {
     /** Whether that box is a cube, too. */
     fun isCube(scenario: Scenario, last: State): Boolean {
         val box = last.boundary.box
-        return isSeen(scenario, last) && areEqual(DoubleArray(3) { box.length(it) })
+        return isSeen(scenario, last) && last.dimensions == 3 && areEqual(DoubleArray(3) { box.length(it) })
     }
 
     /** Whether all [values] are the same; not of none. */

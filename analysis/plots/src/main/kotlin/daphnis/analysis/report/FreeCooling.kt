@@ -57,7 +57,7 @@ internal object FreeCooling {
 
     private fun dispersionAtEnd(input: AnalysisInput): Double {
         val last = input.state(input.size - 1)
-        return sqrt(granularTemperature(last.population, null))
+        return sqrt(granularTemperature(last.population, last.boundary))
     }
 
     /** An acceleration that is the same everywhere heats nothing; gravity of spheres can. */

@@ -85,7 +85,13 @@ internal class MaterialSection(private val study: Study) : Section {
         val first = names[there[0]]
         for (k in there) {
             val name = "partial temperature of ${names[k]}"
-            rows.average("partial_temperature_${names[k]}", name, temperature(k), units.energy, "m ⟨c²⟩/3, an energy")
+            rows.average(
+                "partial_temperature_${names[k]}",
+                name,
+                temperature(k),
+                units.energy,
+                "m ⟨c²⟩/${study.last.dimensions}, an energy",
+            )
         }
         for (k in there.drop(1)) {
             val key = "temperature_ratio_${first}_${names[k]}"

@@ -33,7 +33,13 @@ internal class Motion(private val input: AnalysisInput, from: Double, last: Stat
     val transport: Transport? =
         input.transport?.from(from)?.takeIf { it.size >= 2 }?.let {
             val flow = last.boundary.meanFlow
-            Transport(it, flow?.rate ?: 0.0, potential(it[TransportColumns.TIME]), flow?.flowAxis ?: 0)
+            Transport(
+                it,
+                flow?.rate ?: 0.0,
+                potential(it[TransportColumns.TIME]),
+                flow?.flowAxis ?: 0,
+                last.boundary.space,
+            )
         }
 
     /** Number of states so far. */
@@ -114,7 +120,7 @@ internal class Motion(private val input: AnalysisInput, from: Double, last: Stat
 
     private companion object {
         val OF_STATE: Measure = Measure { state ->
-            val m = VelocityMoments.of(state.population, state.boundary.meanFlow, state.frequencies, state.firstBody)
+            val m = VelocityMoments.within(state.boundary, state.population, state.frequencies, state.firstBody)
             m.moments + DoubleArray(OfState.entries.size) { OfState.entries[it].of(state, m) }
         }
     }

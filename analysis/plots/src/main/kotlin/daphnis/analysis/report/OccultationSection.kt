@@ -27,7 +27,13 @@ internal class OccultationSection(private val study: Study) : Section {
 
     override val heading = "Occultation"
     override val over = "What a star behind the patch would show. ${study.overAverages}"
-    override val leftOut = if (study.isSlab) study.tooFew() else "the box is filled above and below"
+    override val leftOut = if (study.isSlab) {
+        study.tooFew()
+    } else {
+        study.last.boundary.space.let {
+            if (it.isPlane) "discs in a plane have no height" else "the box is filled above and below"
+        }
+    }
 
     /** What is asked for beside. */
     private val parts: List<LightPart> = if (leftOut != null) {

@@ -8,7 +8,8 @@ import daphnis.analysis.table.UnitNames
 /** The pair correlation, in space or in the plane. */
 internal class PairPart(private val study: Study) : Part {
     private val units = study.units
-    private val isInPlane = PairCorrelation.isInPlane(study.last.boundary)
+    private val isOfDiscs = study.last.boundary.space.isPlane
+    private val isInPlane = PairCorrelation.isInPlane(study.last.boundary) && !isOfDiscs
     private val pairs = correlation()
     private val averages = Averages(pairs)
 
@@ -26,13 +27,19 @@ internal class PairPart(private val study: Study) : Part {
         val argument = if (isInPlane) "distance in the plane" else "distance r"
         val curve = AveragedCurve("pair-correlation", "pair correlation", "g", argument, "r", units.length)
         val x = DoubleArray(pairs.bins) { pairs.centre(it) }
-        curve.write(study, page, x, averages, if (isInPlane) IN_PLANE else IN_SPACE + nearest())
+        curve.write(study, page, x, averages, text)
+    }
+
+    private val text get() = when {
+        isInPlane -> IN_PLANE
+        isOfDiscs -> OF_DISCS + nearest()
+        else -> IN_SPACE + nearest()
     }
 
     private fun nearest(): String {
         if (pairs.nearest <= 0) return ""
         val contact = UnitNames.amount(ReportText.short(pairs.nearest), units.length)
-        return " Bins begin at the contact of the smallest spheres, $contact."
+        return " Bins begin at the contact of the smallest ${if (isOfDiscs) "discs" else "spheres"}, $contact."
     }
 
     private companion object {
@@ -41,6 +48,8 @@ internal class PairPart(private val study: Study) : Part {
         const val IN_PLANE = "Pair correlation in the x-y plane: pairs at a distance seen along z, over those of " +
             "particles without correlation. Spheres one above the other are nearer than contact in this view, " +
             "so that g is not 0 there."
+        const val OF_DISCS = "Radial distribution function of discs: pairs at a distance, over those of particles " +
+            "without correlation."
         const val IN_SPACE = "Radial distribution function in space: pairs at a distance, over those of particles " +
             "without correlation."
     }

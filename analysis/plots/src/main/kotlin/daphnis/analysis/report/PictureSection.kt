@@ -16,8 +16,13 @@ internal class PictureSection(private val study: Study) : Section {
         page.png(
             picture.writeAbove(study.plots, "patch-above"),
             "the patch from above",
-            "From above; $axes; higher spheres are brighter. The bar is ${picture.bar}.$part",
+            if (last.boundary.space.isPlane) {
+                "$axes. The bar is ${picture.bar}.$part".replaceFirstChar { it.uppercase() }
+            } else {
+                "From above; $axes; higher spheres are brighter. The bar is ${picture.bar}.$part"
+            },
         )
+        if (last.boundary.space.isPlane) return
         page.png(
             picture.writeSide(study.plots, "patch-side"),
             "the patch from the side",

@@ -20,6 +20,7 @@ internal class ProfilesSection(private val study: Study) : Section {
     private val azimuthal = Averaged(Profile(1, box.lowerY, box.upperY, bins(box.length(1))))
     private val vertical = Averaged(if (study.isRing) overHeight() else overBox())
 
+    private val isOfDiscs = study.last.boundary.space.isPlane
     private val isAcrossY = study.last.boundary.meanFlow?.normalAxis == 1
     private val across = if (isAcrossY) azimuthal else radial
     private val acrossAxis = study.lengthAxis(if (isAcrossY) "y" else radialName)
@@ -58,12 +59,20 @@ internal class ProfilesSection(private val study: Study) : Section {
         val (column, caption) = if (study.isSlab) {
             "optical_depth" to "Optical depth across the patch."
         } else {
-            "filling_factor" to "Filling factor along x."
+            "filling_factor" to "${if (isOfDiscs) "Area fraction" else "Filling factor"} along x."
         }
         drawn(page, radial, table("radial", radial), column, radialName, caption)
         table("azimuthal", azimuthal)
-        val overHeight = table("vertical", vertical)
-        drawn(page, vertical, overHeight, "filling_factor", "height z", "Filling factor over height.")
+        if (!isOfDiscs) {
+            drawn(
+                page,
+                vertical,
+                table("vertical", vertical),
+                "filling_factor",
+                "height z",
+                "Filling factor over height.",
+            )
+        }
         if (study.input.hasVelocities) dispersions(page)
     }
 
@@ -97,7 +106,7 @@ internal class ProfilesSection(private val study: Study) : Section {
     private fun dispersions(page: ReportPage) {
         val first = Profile.COLUMNS.indexOf("c_xx")
         val scale = study.scale
-        val curves = listOf("σ_x", "σ_y", "σ_z").mapIndexed { c, name ->
+        val curves = listOf("σ_x", "σ_y", "σ_z").take(study.last.dimensions).mapIndexed { c, name ->
             val all = across.column(first + c)
             Curve(
                 name,

@@ -101,6 +101,7 @@ internal object References {
         val law = scenario.restitution as? RestitutionSpec.Constant ?: return emptyMap()
         val isSheared = scenario.boundary is BoundarySpec.LeesEdwards && scenario.frame == null
         if (!isSheared || !isPlain(scenario, last)) return emptyMap()
+        if (last.dimensions != 3) return emptyMap()
         val row = SHEARED.find { it[0] == law.coefficient && abs(filling / it[1] - 1) < 0.01 } ?: return emptyMap()
         return mapOf(
             "reduced_temperature" to Reference(row[2], 0.03 / 3 * row[2], INDEPENDENT),
@@ -117,7 +118,9 @@ internal object References {
         temperature: Double,
         numberDensity: Double,
     ): Map<String, Reference> {
-        if (!ElasticGas.isSeen(scenario, last) || filling > 0.49) return emptyMap()
+        if (!ElasticGas.isSeen(scenario, last)) return emptyMap()
+        if (last.dimensions == 2) return ofDiscs(last, filling, temperature, numberDensity)
+        if (filling > 0.49) return emptyMap()
         val contact = (1 - filling / 2) / ((1 - filling) * (1 - filling) * (1 - filling))
         val diameter = 2 * last.population.radius[0]
         val rate = 4 * sqrt(PI * temperature) * numberDensity * contact * diameter * diameter
@@ -145,6 +148,18 @@ internal object References {
         return temperature + ("velocity_a2" to Reference(a2, CUMULANT_BOUND / 3, NOIJE))
     }
 
+    /** The same of discs, of Henderson 1975 (Mol. Phys. 30, 971). */
+    private fun ofDiscs(last: State, filling: Double, temperature: Double, density: Double): Map<String, Reference> {
+        if (filling > MOST_OF_HENDERSON) return emptyMap()
+        val compressibility = (1 + filling * filling / 8) / ((1 - filling) * (1 - filling))
+        val contact = (compressibility - 1) / (2 * filling)
+        val rate = 2 * sqrt(PI * temperature) * density * contact * 2 * last.population.radius[0]
+        return mapOf(
+            "collisions_per_particle" to Reference(rate, STATE_BOUND / 3 * rate, HENDERSON),
+            "compressibility" to Reference(compressibility, STATE_BOUND / 3 * compressibility, HENDERSON),
+        )
+    }
+
     /** Whether equal spheres meet each other and nothing else: no force but [heated], no body, no guard that is felt. */
     private fun isPlain(scenario: Scenario, last: State, heated: ForceSpec? = null): Boolean =
         scenario.forces == listOfNotNull(heated) &&
@@ -164,7 +179,7 @@ internal object References {
     private fun rms(state: State): Double {
         val p = state.population
         val sum = (0 until p.size).sumOf { p.vx[it] * p.vx[it] + p.vy[it] * p.vy[it] + p.vz[it] * p.vz[it] }
-        return sqrt(sum / (3 * p.size))
+        return sqrt(sum / (state.dimensions * p.size))
     }
 
     /** r Ω by which the restitution law is scaled: c changes by a tenth of this. */
@@ -182,5 +197,9 @@ internal object References {
     private const val HEATED_BOUND = 0.05
     private const val CUMULANT_BOUND = 0.002
     private const val CARNAHAN = "Carnahan & Starling 1969"
+    private const val HENDERSON = "Henderson 1975"
+
+    /** Area fraction up to which the equation of state is within its bound. */
+    private const val MOST_OF_HENDERSON = 0.5
     private const val STATE_BOUND = 0.005
 }

@@ -9,15 +9,14 @@ import daphnis.analysis.profile.RotationByGroup
 import daphnis.analysis.statistics.BlockAverage
 import daphnis.core.population.VelocityMoments
 import daphnis.core.run.SeriesColumns
-import daphnis.core.surface.SurfaceContact
 
 /**
  * How the particles spin on average: from the rows of series.csv from the time [from] on, else, and where there are
  * bodies, which these rows have in their sums, from the states.
  */
 internal class Rotation(input: AnalysisInput, private val from: Double, last: State) {
-    /** Moment of inertia over mass · radius²; that of solid spheres where no scenario says otherwise. */
-    val momentFactor: Double = input.scenario?.roughness?.momentFactor ?: SurfaceContact.SOLID
+    /** Moment of inertia over mass · radius²; that of solid spheres or discs where no scenario says otherwise. */
+    val momentFactor: Double = input.scenario?.momentFactor ?: last.boundary.space.momentFactor
     private val states = Averages(Measure(::ofState))
     private val hasBodies = (0 until last.population.size).any { !last.isParticle(it) }
     private val series = input.series?.takeIf { SeriesColumns.ROTATIONAL_TEMPERATURE in it && !hasBodies }
@@ -55,8 +54,7 @@ internal class Rotation(input: AnalysisInput, private val from: Double, last: St
     private fun ofState(state: State): DoubleArray {
         val all = RotationByGroup(SphereGroups.ALL, momentFactor).of(state)
         fun number(column: String) = all[RotationByGroup.COLUMNS.indexOf(column)]
-        val flow = state.boundary.meanFlow
-        val moments = VelocityMoments.of(state.population, flow, state.frequencies, state.firstBody)
+        val moments = VelocityMoments.within(state.boundary, state.population, state.frequencies, state.firstBody)
         val temperature = number("temperature") / number("mean_mass")
         val spins = listOf("mean_wx", "mean_wy", "mean_wz").map(::number)
         return doubleArrayOf(temperature, temperature / moments.temperature) + spins

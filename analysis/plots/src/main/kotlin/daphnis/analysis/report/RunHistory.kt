@@ -5,6 +5,7 @@ import daphnis.analysis.series.SeriesTable
 import daphnis.analysis.statistics.Steadiness
 import daphnis.analysis.transport.Transport
 import daphnis.analysis.transport.TransportTable
+import daphnis.core.boundary.Space
 import daphnis.core.population.MeanFlow
 import daphnis.core.run.SeriesColumns
 import daphnis.core.run.SeriesColumns.GRANULAR_TEMPERATURE
@@ -98,8 +99,9 @@ internal object RunHistory {
         val transport = input.transport?.takeIf { it.size >= 2 } ?: return series
         val isShort = transport[TransportColumns.TIME].count { it >= from } < Steadiness.FEWEST
         if (isShort && series.isNotEmpty()) return series
-        val flow = input.state(input.size - 1).boundary.meanFlow
-        return ofTransport(transport, input.omega != null) + listOfNotNull(viscosity(transport, flow))
+        val boundary = input.state(input.size - 1).boundary
+        return ofTransport(transport, input.omega != null, boundary.space) +
+            listOfNotNull(viscosity(transport, boundary.meanFlow))
     }
 
     private fun viscosity(t: TransportTable, flow: MeanFlow?): History? {
@@ -108,7 +110,7 @@ internal object RunHistory {
         return History("viscosity", times, Transport(t, flow.rate, flowAxis = flow.flowAxis).viscosities(), OF_STRESS)
     }
 
-    private fun ofTransport(t: TransportTable, ring: Boolean): List<History> {
+    private fun ofTransport(t: TransportTable, ring: Boolean, space: Space): List<History> {
         val trace = DoubleArray(t.size) { t[moment("xx")][it] + t[moment("yy")][it] + t[moment("zz")][it] }
         val time = t[TransportColumns.TIME]
         val speeds = if (ring) {
@@ -117,7 +119,16 @@ internal object RunHistory {
                 History("scale height", time, t[TransportColumns.SCALE_HEIGHT], OF_HEIGHT),
             )
         } else {
-            listOf(History("granular temperature", time, DoubleArray(t.size) { trace[it] / 3 }, OF_SPEED))
+            listOf(
+                History(
+                    "granular temperature",
+                    time,
+                    DoubleArray(t.size) {
+                        trace[it] / space.dimensions
+                    },
+                    OF_SPEED,
+                ),
+            )
         }
         return speeds + rate(time, t[TransportColumns.COLLISIONS], t[TransportColumns.PARTICLES])
     }

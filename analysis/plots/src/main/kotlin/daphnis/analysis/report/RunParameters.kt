@@ -24,11 +24,11 @@ internal class RunParameters(private val input: AnalysisInput, private val last:
         val rows = ArrayList<Pair<String, String>>()
         val radius = last.population.radius
         val box = last.boundary.box
-        rows += "spheres" to "${last.population.size}"
+        rows += (if (box.space.isPlane) "discs" else "spheres") to "${last.population.size}"
         val smallest = short(radius.min())
         val largest = short(radius.max())
         rows += if (smallest == largest) "radius" to length(smallest) else "radii" to length("$smallest to $largest")
-        rows += "box" to length((0..2).joinToString(" × ") { short(box.length(it)) })
+        rows += "box" to length((0 until box.space.dimensions).joinToString(" × ") { short(box.length(it)) })
         boundary()?.let { rows += "boundary" to it }
         if (!input.hasVelocities) rows += "velocities" to "the file has no velocities"
         val omega = input.omega ?: return rows
@@ -42,7 +42,7 @@ internal class RunParameters(private val input: AnalysisInput, private val last:
     /** Of a file without a scenario, by axis; a scenario says it with its values. */
     private fun boundary(): String? {
         if (input.scenario != null) return null
-        val (periodic, open) = (0..2).partition { last.boundary.hasImages(it) }
+        val (periodic, open) = (0 until last.dimensions).partition { last.boundary.hasImages(it) }
         val lengths = input.snapshot(input.size - 1).lengths
         val around = if (open.any { lengths[it].isNaN() }) AROUND else ""
         fun along(axes: List<Int>) = axes.joinToString { "${"xyz"[it]}" }

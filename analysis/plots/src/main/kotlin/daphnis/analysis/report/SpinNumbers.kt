@@ -6,13 +6,15 @@ package daphnis.analysis.report
  * @param omega angular speed of Hill's frame, null without one
  */
 internal class SpinNumbers(private val study: Study, private val rows: NumberRows, private val omega: Double?) {
+    private val space = study.last.boundary.space
+
     /** Adds them; none for spheres without spins. */
     fun add() {
         val rotation = study.motion.rotation ?: return
         val speed = if (omega == null) 1.0 else study.bulk.meanRadius * omega
         rows.average(
             "rotational_temperature",
-            "rotational temperature Σ I ω²/3M",
+            "rotational temperature Σ I ω²/${if (space.isPlane) "" else "3"}M",
             rotation.temperature * (1 / (speed * speed)),
             if (omega == null) study.units.temperature else "r² Ω²",
             "with the mean spin in it",
@@ -31,7 +33,7 @@ internal class SpinNumbers(private val study: Study, private val rows: NumberRow
             rows.average("mean_spin_z", "mean spin ω_z", rotation.mean(2) * (1 / omega), "Ω", note)
             return
         }
-        for ((axis, name) in listOf("x", "y", "z").withIndex()) {
+        for ((axis, name) in listOf("x", "y", "z").withIndex().drop(3 - space.rotations)) {
             rows.average("mean_spin_$name", "mean spin ω_$name", rotation.mean(axis), study.units.rate)
         }
     }
@@ -43,7 +45,7 @@ internal class SpinNumbers(private val study: Study, private val rows: NumberRow
             "fourth cumulant a₂ of velocities",
             study.motion.cumulant("a2"),
             "",
-            "⟨c⁴⟩ = (5/3) ⟨c²⟩² (1 + a₂), of √m c; 0 for Maxwellians of one temperature",
+            "⟨c⁴⟩ = ${if (space.isPlane) "2" else "(5/3)"} ⟨c²⟩² (1 + a₂), of √m c; 0 for Maxwellians of one temperature",
         )
         if (study.motion.rotation == null) return
         val ofSpins = "the same of spins; 0 for a Maxwellian"

@@ -15,6 +15,8 @@ import daphnis.analysis.table.UnitNames
 
 /** How rough particles spin: the distribution beside a Maxwellian, and what each size does. */
 internal class SpinSection(private val study: Study) : Section {
+    private val space = study.last.boundary.space
+    private val perAxis = if (space.isPlane) "" else "/${space.rotations}"
     private val units = study.units
     private val distribution = SpinDistribution()
     private val shape = Averages(distribution)
@@ -50,24 +52,33 @@ internal class SpinSection(private val study: Study) : Section {
             val x = if (which < 3) component else modulus
             Curve(name, x, means(all), DoubleArray(bins) { study.judgement.error(all[it]) })
         }
-        val axes = listOf("x", "y", "z").mapIndexed { axis, name -> curve("s_$name", axis) }
+        val axes = listOf("x", "y", "z").mapIndexed { axis, name -> curve("s_$name", axis) }.drop(3 - space.rotations)
         val whole = curve("s", 3)
         val gauss = Curve(MAXWELLIAN, component, DoubleArray(bins) { SpinDistribution.ofComponent(component[it]) })
         val maxwell = Curve(MAXWELLIAN, modulus, DoubleArray(bins) { SpinDistribution.ofModulus(modulus[it]) })
-        val words = "s = √(I/T) (ω − ⟨ω⟩), T = ⟨I (ω − ⟨ω⟩)²⟩/3 of the same state"
+        val words = "s = √(I/T) (ω − ⟨ω⟩), T = ⟨I (ω − ⟨ω⟩)²⟩$perAxis of the same state"
         val figure = Chart.lines(axes + gauss, "component of s", "density")
         val caption = "Components of the spins beside a Maxwellian; $words."
         study.draw(page, figure, "spin-components", "distribution of the components of spins", caption)
-        val ofModulus = Chart.lines(listOf(whole, maxwell), "modulus s", "density")
-        study.draw(page, ofModulus, "spin-modulus", "distribution of the modulus of spins", "The modulus of the same.")
+        if (!space.isPlane) modulus(page, whole, maxwell)
         val columns = (axes + whole).flatMap {
             listOf(Column(it.name, "", it.y), Column("${it.name}_error", "", it.error!!))
         }
         Table(
             "spin-distribution",
-            listOf(Column("component", "", component)) + columns.take(6) + Column("maxwellian", "", gauss.y) +
-                Column("modulus", "", modulus) + columns.drop(6) + Column("maxwellian_modulus", "", maxwell.y),
+            listOf(Column("component", "", component)) + columns.dropLast(2) + Column("maxwellian", "", gauss.y) +
+                if (space.isPlane) {
+                    emptyList()
+                } else {
+                    listOf(Column("modulus", "", modulus)) + columns.takeLast(2) +
+                        Column("maxwellian_modulus", "", maxwell.y)
+                },
         ).write(study.tables)
+    }
+
+    private fun modulus(page: ReportPage, whole: Curve, maxwell: Curve) {
+        val ofModulus = Chart.lines(listOf(whole, maxwell), "modulus s", "density")
+        study.draw(page, ofModulus, "spin-modulus", "distribution of the modulus of spins", "The modulus of the same.")
     }
 
     private fun bySize(page: ReportPage, count: Int, spins: Averages, motions: Averages) {
@@ -100,7 +111,7 @@ internal class SpinSection(private val study: Study) : Section {
         val log = Chart.isWide(temperatures.flatMap { it.y.asList() })
         val label = UnitNames.axis("partial temperature", units.energy)
         val both = Chart.lines(temperatures, axis, label, logX = true, logY = log)
-        val caption = "Partial temperatures m⟨c²⟩/3 and I⟨ω²⟩/3 of particles by size, energies; c as under Sizes."
+        val caption = "Partial temperatures m⟨c²⟩/${space.dimensions} and I⟨ω²⟩$perAxis of particles by size, energies; c as under Sizes."
         study.draw(page, both, "temperature-by-size", "partial temperatures by size", caption)
         val columns = listOf(
             Column("count", "", means(filled.map { spin(it, "count") })),

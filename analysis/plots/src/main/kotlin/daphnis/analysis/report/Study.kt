@@ -53,7 +53,7 @@ internal class Study(
     val physics: Scenario? = input.scenario?.takeUnless { input.directory?.program?.let { Files.exists(it) } == true }
 
     /** Whether light through the patch means something: not through a box that is one of many all around. */
-    val isSlab: Boolean = !last.boundary.repeats(2)
+    val isSlab: Boolean = !last.boundary.repeats(2) && !last.boundary.space.isPlane
 
     /** Whether pairs and maps are worth looking at: not for patches far longer than wide. */
     val isCompact: Boolean =

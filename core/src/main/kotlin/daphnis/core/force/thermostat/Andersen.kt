@@ -1,6 +1,7 @@
 package daphnis.core.force.thermostat
 
-import daphnis.core.population.MeanFlow
+import daphnis.core.boundary.BoundaryConditions
+import daphnis.core.boundary.Open
 import daphnis.core.random.CounterRandom
 import kotlin.math.sqrt
 
@@ -17,7 +18,7 @@ public class Andersen @JvmOverloads constructor(
     public val rate: Double,
     public val temperature: Double,
     conservesMomentum: Boolean = false,
-    override val flow: MeanFlow? = null,
+    override val boundary: BoundaryConditions = Open,
     override val firstBody: Int = Int.MAX_VALUE,
 ) : RandomKicks(seed, conservesMomentum) {
     init {

@@ -18,7 +18,7 @@ public sealed class RandomKicks(seed: Long, public val conservesMomentum: Boolea
     // Σ m and Σ m Δv of the present half step.
     private val sums = PartialSums(SUMS) { from, to, into, block ->
         val p = population!!
-        for (axis in 0 until AXES) {
+        for (axis in 0 until axes) {
             block.addBlocks(from, to, into[axis]) { first, end, terms ->
                 for (k in first until end) terms[k - first] = p.mass[k] * kicks[axis][k]
             }
@@ -50,11 +50,11 @@ public sealed class RandomKicks(seed: Long, public val conservesMomentum: Boolea
     private fun kick(p: Population, time: Double, half: Int, drawn: CounterRandom, from: Int, to: Int) {
         for (k in from until to) {
             if (isBody(p.id[k])) {
-                if (conservesMomentum) for (axis in 0 until AXES) kicks[axis][k] = 0.0
+                if (conservesMomentum) for (axis in 0 until axes) kicks[axis][k] = 0.0
                 continue
             }
             drawn.draw(p.id[k], time, half)
-            for (axis in 0 until AXES) {
+            for (axis in 0 until axes) {
                 val v = p.velocity(axis)
                 val change = kick(v[k] - flowAt(p, k, axis), p.mass[k], drawn, axis)
                 v[k] += change
@@ -73,7 +73,7 @@ public sealed class RandomKicks(seed: Long, public val conservesMomentum: Boolea
         sums.mergeAll(partition)
         val mass = sums.value(MASS)
         if (mass == 0.0) return
-        for (axis in 0 until AXES) {
+        for (axis in 0 until axes) {
             val mean = sums.value(axis) / mass
             val v = p.velocity(axis)
             loop.runLight(p.size) { _, from, to ->

@@ -1,6 +1,7 @@
 package daphnis.core.force.thermostat
 
-import daphnis.core.population.MeanFlow
+import daphnis.core.boundary.BoundaryConditions
+import daphnis.core.boundary.Open
 import daphnis.core.population.PartialSums
 import daphnis.core.population.Population
 import kotlin.math.sqrt
@@ -8,7 +9,7 @@ import kotlin.math.sqrt
 /**
  * Scales velocities at the end of each step, relative to the flow and to the mean over all spheres, so that their
  * temperature becomes [temperature]: at once, or as it would relax within [time] (Berendsen, Postma, van Gunsteren,
- * DiNola & Haak 1984, J. Chem. Phys. 81, 3684). The temperature is Σ m w²/3(N − 1). Momentum is conserved. Spheres which
+ * DiNola & Haak 1984, J. Chem. Phys. 81, 3684). The temperature is Σ m w²/d(N − 1) along d axes. Momentum is conserved. Spheres which
  * are all at rest relative to their mean stay so, and fewer than two are left alone.
  *
  * @property temperature T, mass · (length/time)²
@@ -18,7 +19,7 @@ import kotlin.math.sqrt
 public class Rescaling @JvmOverloads constructor(
     public val temperature: Double,
     public val time: Double = 0.0,
-    override val flow: MeanFlow? = null,
+    override val boundary: BoundaryConditions = Open,
     override val firstBody: Int = Int.MAX_VALUE,
 ) : Thermostat() {
     init {
@@ -38,7 +39,7 @@ public class Rescaling @JvmOverloads constructor(
         block.addBlocks(from, to, into[SQUARE]) { first, end, terms ->
             for (k in first until end) terms[k - first] = massOf(p, k) * square(p, k)
         }
-        for (axis in 0 until AXES) {
+        for (axis in 0 until axes) {
             block.addBlocks(from, to, into[MOMENTUM + axis]) { first, end, terms ->
                 for (k in first until end) terms[k - first] = massOf(p, k) * peculiar(p, k, axis)
             }
@@ -65,8 +66,8 @@ public class Rescaling @JvmOverloads constructor(
         if (count < 2) return
         val mean = DoubleArray(AXES) { sums.value(MOMENTUM + it) / mass }
         var heat = sums.value(SQUARE)
-        for (axis in 0 until AXES) heat -= mean[axis] * sums.value(MOMENTUM + axis)
-        val now = heat / (AXES * (count - 1))
+        for (axis in 0 until axes) heat -= mean[axis] * sums.value(MOMENTUM + axis)
+        val now = heat / (axes * (count - 1))
         if (!(now > 0)) return
         val wanted =
             if (this.time == 0.0) temperature else temperature + (now - temperature) * StrictMath.exp(-duration / this.time)
@@ -77,7 +78,7 @@ public class Rescaling @JvmOverloads constructor(
         loop.runLight(p.size) { _, from, to ->
             for (k in from until to) {
                 if (isBody(p.id[k])) continue
-                for (axis in 0 until AXES) {
+                for (axis in 0 until axes) {
                     val still = flowAt(p, k, axis) + mean[axis]
                     val v = p.velocity(axis)
                     v[k] = still + factor * (v[k] - still)
@@ -92,7 +93,7 @@ public class Rescaling @JvmOverloads constructor(
 
     private fun square(p: Population, k: Int): Double {
         var sum = 0.0
-        for (axis in 0 until AXES) sum += peculiar(p, k, axis).let { it * it }
+        for (axis in 0 until axes) sum += peculiar(p, k, axis).let { it * it }
         return sum
     }
 

@@ -4,7 +4,6 @@ import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.force.Force
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
-import daphnis.core.population.MeanFlow
 import daphnis.core.population.Partition
 import daphnis.core.population.Population
 import daphnis.core.random.CounterRandom
@@ -13,11 +12,12 @@ import daphnis.core.random.CounterRandom
  * What heats and cools spheres from outside. It acts for half of each step before the drift and for half after it. The
  * numbers that it draws are functions of its seed, the id of a sphere and the time ([CounterRandom]), and its sums are
  * exact, so the state has the same bits with any engine, order of spheres, number of threads or machines, and after a
- * resume. It acts on velocities relative to [flow], and not on spins. It has no potential energy.
+ * resume. It acts on velocities relative to the flow that the boundary drives,
+ * along the axes of its space, and not on spins. It has no potential energy.
  */
 public sealed class Thermostat : Force {
-    /** The mean flow that the boundary drives, to which velocities are relative; null when there is none. */
-    protected abstract val flow: MeanFlow?
+    /** Says to what flow velocities are relative, and along how many axes spheres move. */
+    protected abstract val boundary: BoundaryConditions
 
     /** Spheres with this id or a higher one are left alone, such as moonlets. */
     protected abstract val firstBody: Int
@@ -45,9 +45,12 @@ public sealed class Thermostat : Force {
 
     internal fun isBody(id: Int): Boolean = id >= firstBody && firstBody != Int.MAX_VALUE
 
-    /** Velocity of [flow] along [axis] where the sphere at index [k] is. */
+    /** Number of axes along which spheres move. */
+    internal val axes: Int get() = boundary.space.dimensions
+
+    /** Velocity of the flow along [axis] where the sphere at index [k] is. */
     internal fun flowAt(population: Population, k: Int, axis: Int): Double {
-        val flow = flow ?: return 0.0
+        val flow = boundary.meanFlow ?: return 0.0
         return if (axis == flow.flowAxis) flow.rate * population.position(flow.normalAxis)[k] else 0.0
     }
 

@@ -1,6 +1,7 @@
 package daphnis.core.force.thermostat
 
-import daphnis.core.population.MeanFlow
+import daphnis.core.boundary.BoundaryConditions
+import daphnis.core.boundary.Open
 import daphnis.core.random.CounterRandom
 import kotlin.math.sqrt
 
@@ -22,7 +23,7 @@ public class WhiteNoise @JvmOverloads constructor(
     public val drag: Double = 0.0,
     public val overMass: Boolean = false,
     conservesMomentum: Boolean = false,
-    override val flow: MeanFlow? = null,
+    override val boundary: BoundaryConditions = Open,
     override val firstBody: Int = Int.MAX_VALUE,
 ) : RandomKicks(seed, conservesMomentum) {
     init {

@@ -1,12 +1,16 @@
 package daphnis.core.force.thermostat
 
+import daphnis.core.boundary.BoundaryConditions
+import daphnis.core.boundary.Box
+import daphnis.core.boundary.LeesEdwards
+import daphnis.core.boundary.Open
+import daphnis.core.boundary.OpenPlane
 import daphnis.core.force.Force
 import daphnis.core.initial.SeededRandom
 import daphnis.core.parallel.FixedPool
 import daphnis.core.parallel.LoopStrategy
 import daphnis.core.parallel.ParallelLoop
 import daphnis.core.population.Conserved
-import daphnis.core.population.MeanFlow
 import daphnis.core.population.Population
 import daphnis.core.population.granularTemperature
 import daphnis.core.population.stateDigest
@@ -31,11 +35,11 @@ class ThermostatTest {
         return Population(column(9.0), column(9.0), column(9.0), vx, column(0.5), column(0.5), radii, masses)
     }
 
-    private val all: Map<String, (MeanFlow?, Int) -> Thermostat> = mapOf(
-        "noise" to { f, b -> WhiteNoise(7, 0.3, flow = f, firstBody = b) },
-        "noise that conserves momentum" to { f, b -> WhiteNoise(7, 0.3, 0.2, conservesMomentum = true, flow = f, firstBody = b) },
-        "bath" to { f, b -> WhiteNoise(7, 0.4, 0.2, overMass = true, flow = f, firstBody = b) },
-        "Andersen" to { f, b -> Andersen(7, 2.0, 1.0, conservesMomentum = true, flow = f, firstBody = b) },
+    private val all: Map<String, (BoundaryConditions, Int) -> Thermostat> = mapOf(
+        "noise" to { f, b -> WhiteNoise(7, 0.3, boundary = f, firstBody = b) },
+        "noise that conserves momentum" to { f, b -> WhiteNoise(7, 0.3, 0.2, conservesMomentum = true, boundary = f, firstBody = b) },
+        "bath" to { f, b -> WhiteNoise(7, 0.4, 0.2, overMass = true, boundary = f, firstBody = b) },
+        "Andersen" to { f, b -> Andersen(7, 2.0, 1.0, conservesMomentum = true, boundary = f, firstBody = b) },
         "scaling" to { f, b -> Rescaling(2.0, 0.3, f, b) },
     )
 
@@ -47,7 +51,7 @@ class ThermostatTest {
     }
 
     /** Σ m w²/3(N − 1) without a flow. */
-    private fun temperature(p: Population) = granularTemperature(p, null) * p.mass.average()
+    private fun temperature(p: Population) = granularTemperature(p, Open) * p.mass.average()
 
     private fun shuffled(p: Population): Population {
         val order = IntArray(p.size) { (it * 7 + 11) % p.size }
@@ -59,7 +63,7 @@ class ThermostatTest {
     fun `bits do not depend on threads or order, and bodies are left alone`() {
         val mass = { k: Int -> 1.0 + k % 3 }
         for ((name, make) in all) {
-            val flow = MeanFlow(1, 0, 0.2)
+            val flow = LeesEdwards(Box.centred(9.0, 9.0, 9.0), 0.2)
             val p = spheres(COUNT, mass)
             steps(make(flow, COUNT - 10), p, 3)
             val q = shuffled(spheres(COUNT, mass))
@@ -79,7 +83,7 @@ class ThermostatTest {
         for ((name, make) in all) {
             val p = spheres(COUNT, { 1.0 + it % 3 }, drift = 1.0)
             val before = Conserved.of(p)
-            steps(make(null, Int.MAX_VALUE), p, 10)
+            steps(make(Open, Int.MAX_VALUE), p, 10)
             val after = Conserved.of(p)
             val change = listOf(
                 after.momentumX - before.momentumX,
@@ -151,13 +155,28 @@ class ThermostatTest {
 
     @Test
     fun `scaling knows the flow`() {
-        val flow = MeanFlow(1, 0, 0.2)
+        val flow = LeesEdwards(Box.centred(9.0, 9.0, 9.0), 0.2)
         val p = spheres(COUNT)
         for (k in 0 until COUNT) p.vx[k] += 0.2 * p.y[k]
         val still = spheres(COUNT)
         steps(Rescaling(0.8, 0.0, flow), p, 1)
         steps(Rescaling(0.8), still, 1)
         for (k in 0 until COUNT) assertEquals(still.vx[k], p.vx[k] - 0.2 * p.y[k], 1e-12)
+    }
+
+    @Test
+    fun `discs get nothing along z, and have two components`() {
+        for ((name, make) in all) {
+            val p = spheres(COUNT).apply {
+                z.fill(0.0)
+                vz.fill(0.0)
+            }
+            steps(make(OpenPlane, Int.MAX_VALUE), p, 20, 1.0)
+            assertTrue(p.vz.all { it == 0.0 }, name)
+            val t = (0 until COUNT).sumOf { p.vx[it] * p.vx[it] + p.vy[it] * p.vy[it] } / (2 * COUNT)
+            if (name == "bath") assertEquals(1.0, t, 4 * sqrt(1.0 / COUNT), name)
+            if (name == "scaling") assertEquals(2.0, t, 0.001, name)
+        }
     }
 
     @Test
