@@ -54,7 +54,10 @@ public class WaveAmplitudes private constructor(
     public fun coherence(periods: Iterable<Int>): Double =
         periods.sumOf { outward(it) + inward(it) } / periods.sumOf { powers[it] }
 
-    private fun square(wave: Array<DoubleArray>, k: Int) = (wave[0][k] * wave[0][k] + wave[1][k] * wave[1][k]) / 2
+    /** Amplitudes of both waves, outward and inward, in the periods [first] to [last]: real and imaginary parts. */
+    internal fun amplitudes(first: Int, last: Int): List<Array<DoubleArray>> = listOf(outward, inward).map { wave ->
+        Array(2) { wave[it].copyOfRange(first, last + 1) }
+    }
 
     /**
      * Real and imaginary part of Σ b* b' over both waves, b and b' the amplitudes of period [k] and of the next: its
@@ -132,6 +135,16 @@ public class WaveAmplitudes private constructor(
             }
             return WaveAmplitudes(times.first(), period, kappa, outward, inward, squares, powers)
         }
+
+        /** Of the amplitudes of [waves] by period, as [amplitudes] gives them, with nothing that is not coherent. */
+        internal fun of(waves: List<Array<DoubleArray>>, frequencies: OrbitalFrequencies): WaveAmplitudes {
+            val (outward, inward) = waves
+            val squares = DoubleArray(outward[0].size) { square(outward, it) + square(inward, it) }
+            val period = 2 * PI / frequencies.kappa
+            return WaveAmplitudes(0.0, period, frequencies.kappa, outward, inward, squares, squares)
+        }
+
+        private fun square(wave: Array<DoubleArray>, k: Int) = (wave[0][k] * wave[0][k] + wave[1][k] * wave[1][k]) / 2
 
         private fun add(to: Array<DoubleArray>, k: Int, re: Double, im: Double, c: Double, s: Double) {
             to[0][k] += re * c - im * s

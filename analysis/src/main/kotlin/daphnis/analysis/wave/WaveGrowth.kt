@@ -2,26 +2,24 @@ package daphnis.analysis.wave
 
 import daphnis.analysis.statistics.BlockAverage
 import kotlin.math.atan2
-import kotlin.math.exp
 import kotlin.math.ln
 
 /**
  * How fast a mode grows, and with what frequency, from its amplitudes by period ([WaveAmplitudes]).
  *
  * The time of growth ends when the amplitude has come to [TOP] of the largest, the median of five periods taken, or
- * with the run where it has not stopped to grow. It begins when it was last at [FLOOR] times its least before that. Over
- * that time ln A is fitted by s t + c − ½ ln(1 + q e^{2(st + c)}), q ≥ 0: exponential growth that comes to an end as in
- * Landau's equation; by a straight line where the run ends before it and q is not told. So the rate s is that of small
- * amplitudes, although the fit needs no time without saturation. Its noise is that of [LevelNoise]. Where there is no
- * growth over [FEWEST] periods by a factor of e or more, and by three errors, a straight line is fitted over all
- * periods. That factor counts from period [SETTLING] on, since a run that starts evenly spread fills with noise first,
- * and the mode must be coherent with epicycles ([WaveAmplitudes.LEAST_COHERENCE]): harmonics of a wave are not.
+ * with the run where it has not stopped to grow. It begins when it was last at [FLOOR] times its least before that.
+ * Over that time both waves are fitted by growth which the motion of particles drives and which comes to an end as in
+ * Landau's equation ([DrivenWaves]), without that end where the run ends before it and it is not told. So the rate s is
+ * that of small amplitudes, although the fit needs no time without saturation. Where there is no growth over [FEWEST]
+ * periods by a factor of e or more, and by three errors, a straight line is fitted to ln A over all periods, with the
+ * noise of [LevelNoise]. That factor counts from period [SETTLING] on, since a run that starts evenly spread fills with
+ * noise first, and the mode must be coherent with epicycles ([WaveAmplitudes.LEAST_COHERENCE]): harmonics of a wave are
+ * not.
  *
  * @property rate s, per unit of time
  * @property rateError one standard error; NaN for too few periods
- * @property frequency in radians per unit of time, over the same periods; the phase of both waves together is fitted by
- *   a line, with noise alike
- *
+ * @property frequency in radians per unit of time, over the same periods: what [DrivenWaves] turn by
  * @property frequencyError one standard error; both are NaN for a mode that is not coherent
  * @property isGrowing whether growth was found
  * @property first period with which the time fitted begins, [last] with which it ends
@@ -45,12 +43,6 @@ public class WaveGrowth private constructor(
         private const val FLOOR = 1.5
         private const val SIGNIFICANT = 3.0
         private const val HALF_WIDTH = 2
-        private const val STEPS = 30
-
-        /** Part of the saturation that a fit begins with. */
-        private const val FIRST_GUESS = 0.3
-        private const val ENOUGH = 1e-9
-        private const val LARGEST = 50.0
 
         /** Of [waves]; null for fewer than [FEWEST] periods, or amplitudes that are 0. */
         @JvmStatic
@@ -61,42 +53,44 @@ public class WaveGrowth private constructor(
             if (logarithms.any { !it.isFinite() }) return null
             val (first, last) = window(logarithms)
             if (last - first + 1 >= FEWEST && gain(logarithms, first, last) >= 1 && isCoherent(waves, first, last)) {
-                val part = logarithms.copyOfRange(first, last + 1)
-                // Where growth is not over, nothing tells how it will end.
-                val fits = sequenceOf({ landau(part) }, { if (last == n - 1) line(part, part) else null })
-                val found = fits.mapNotNull { it() }.firstOrNull { (rate, error) -> rate > SIGNIFICANT * error }
-                if (found != null) return made(waves, logarithms, found.first, found.second, true, first, last)
+                val found = grown(waves, logarithms, first, last)
+                if (found != null) return made(waves, found.rate, found.rateError, true, first, last, found)
             }
-            val (rate, error) = line(logarithms, logarithms) ?: return null
-            return made(waves, logarithms, rate, error, false, 0, n - 1)
+            val (rate, error) = line(logarithms) ?: return null
+            val turning = if (isCoherent(waves, 0, n - 1)) driven(waves, 0, n - 1, false, 0.0) else null
+            return made(waves, rate, error, false, 0, n - 1, turning)
         }
+
+        /** Growth beyond doubt; where it is not over, nothing tells how it will end. */
+        private fun grown(waves: WaveAmplitudes, logarithms: DoubleArray, first: Int, last: Int): DrivenWaves.Found? {
+            val half = maxOf(FEWEST / 2, (last - first + 1) / 2)
+            val slope = (logarithms[first + half - 1] - logarithms[first]) / (half - 1)
+            val isOver = last < logarithms.lastIndex
+            return sequenceOf(true, false).filter { it || !isOver }.mapNotNull { driven(waves, first, last, it, slope) }
+                .firstOrNull { it.rate > SIGNIFICANT * it.rateError }
+        }
+
+        private fun driven(waves: WaveAmplitudes, first: Int, last: Int, ends: Boolean, slope: Double) = waves.phases()
+            .let { (it[last] - it[first]) / (last - first) }
+            .let { DrivenWaves(waves.amplitudes(first, last)).fit(ends, slope, it) }
 
         private fun made(
             waves: WaveAmplitudes,
-            logarithms: DoubleArray,
             rate: Double,
             error: Double,
             isGrowing: Boolean,
             first: Int,
             last: Int,
-        ): WaveGrowth {
-            val phases = waves.phases().copyOfRange(first, last + 1)
-            val turning = if (isCoherent(waves, first, last)) {
-                line(phases, logarithms.copyOfRange(first, last + 1))
-            } else {
-                null
-            } ?: (Double.NaN to Double.NaN)
-            val period = waves.period
-            return WaveGrowth(
-                rate / period,
-                error / period,
-                waves.kappa - turning.first / period,
-                turning.second / period,
-                isGrowing,
-                first,
-                last,
-            )
-        }
+            found: DrivenWaves.Found?,
+        ) = WaveGrowth(
+            rate / waves.period,
+            error / waves.period,
+            waves.kappa - (found?.turning ?: Double.NaN) / waves.period,
+            (found?.turningError ?: Double.NaN) / waves.period,
+            isGrowing,
+            first,
+            last,
+        )
 
         private fun isCoherent(waves: WaveAmplitudes, first: Int, last: Int) =
             waves.coherence(first..last) >= WaveAmplitudes.LEAST_COHERENCE
@@ -126,54 +120,11 @@ public class WaveGrowth private constructor(
             return (0..last).last { it == 0 || smooth[it] <= floor } to last
         }
 
-        /** Slope of a line through [y], per number, and its standard error; the noise may fall with [logarithms]. */
-        private fun line(y: DoubleArray, logarithms: DoubleArray): Pair<Double, Double>? {
+        /** Slope of a line through [y], per number, and its standard error; the noise may fall as amplitudes grow. */
+        private fun line(y: DoubleArray): Pair<Double, Double>? {
             val middle = (y.size - 1) / 2.0
             val columns = listOf(DoubleArray(y.size) { 1.0 }, DoubleArray(y.size) { it - middle })
-            return LevelNoise.likeliest(logarithms) { noise ->
-                noise.step(y, columns)?.let { (it.parameters[1] to it.errors[1]) to it }
-            }
-        }
-
-        /** Rate per number of growth that comes to an end, and its standard error. */
-        private fun landau(y: DoubleArray): Pair<Double, Double>? {
-            val half = y.copyOf(maxOf(FEWEST / 2, y.size / 2))
-            val slope = (half.last() - half.first()) / (half.size - 1)
-            val guess = Landau(y[0], slope, FIRST_GUESS * exp(-2 * y.max()), y)
-            var fitted = guess
-            val white = LevelNoise(0.0, DoubleArray(y.size) { 1.0 })
-            repeat(STEPS) { fitted = fitted.next(white)?.first ?: return null }
-            return LevelNoise.likeliest(DoubleArray(y.size) { fitted.value(it) }) { noise ->
-                fit(guess, noise)?.let { (model, last) -> (model.rate to last.errors[1]) to last }
-            }
-        }
-
-        private fun fit(guess: Landau, noise: LevelNoise): Pair<Landau, LeastSquares>? {
-            var model = guess
-            repeat(STEPS) {
-                val (next, step) = model.next(noise) ?: return null
-                model = next
-                if (Math.abs(step.parameters[1]) < ENOUGH) return next to step
-            }
-            return null
-        }
-    }
-
-    /** ln A = L − ½ ln(1 + q e^{2L}) with L = c + s t, t counting the numbers [y]. */
-    private class Landau(val constant: Double, val rate: Double, val end: Double, val y: DoubleArray) {
-        fun value(t: Int): Double = line(t).let { it - ln(1 + end * exp(2 * it)) / 2 }
-
-        private fun line(t: Int) = minOf(constant + rate * t, LARGEST)
-
-        /** One step of Gauss and Newton; q that would become negative is 0 and left out. */
-        fun next(noise: LevelNoise): Pair<Landau, LeastSquares>? {
-            val part = DoubleArray(y.size) { 1 / (1 + end * exp(2 * line(it))) }
-            val columns = arrayListOf(part, DoubleArray(y.size) { part[it] * it })
-            if (end > 0) columns += DoubleArray(y.size) { -exp(2 * line(it)) * part[it] / 2 }
-            val step = noise.step(DoubleArray(y.size) { y[it] - value(it) }, columns) ?: return null
-            val p = step.parameters
-            val more = if (end > 0) maxOf(0.0, end + p[2]) else 0.0
-            return Landau(constant + p[0], rate + p[1], more, y) to step
+            return LevelNoise.likeliest(y) { it.step(y, columns) }?.let { it.parameters[1] to it.errors[1] }
         }
     }
 }

