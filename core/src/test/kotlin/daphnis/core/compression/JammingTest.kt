@@ -69,7 +69,17 @@ class JammingTest {
             val three = seen.map { it.three }.average()
             println("growth $rate: jammed at %.4f ± %.4f, Z (1 − φ/φ_J) = %.3f".format(mean, scatter, three))
             // Slower growth makes denser packings: 0.621, 0.644 and 0.650.
-            assertEquals(if (rate > 5e-2) 0.621 else if (rate > 5e-3) 0.642 else 0.650, mean, 0.007)
+            assertEquals(
+                if (rate > 5e-2) {
+                    0.621
+                } else if (rate > 5e-3) {
+                    0.642
+                } else {
+                    0.650
+                },
+                mean,
+                0.007,
+            )
             assertEquals(3.0, three, 0.35)
         }
     }
