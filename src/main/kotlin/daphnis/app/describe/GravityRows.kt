@@ -113,6 +113,8 @@ internal class GravityRows(private val setup: ScenarioSetup, private val say: Qu
         val dispersion = sqrt(granularTemperature(population, setup.boundary.meanFlow, scenario.firstBody))
         val wavelength = 4 * Math.PI * Math.PI * g * surface / (kappa * kappa)
         val q = dispersion * kappa / (TOOMRE * g * surface)
+        // Of spheres so light that numbers end.
+        if (wavelength == 0.0 || q.isInfinite()) return
         val fits = (0..1).joinToString(" × ") { number(setup.boundary.box.length(it) / wavelength) }
         rows.add(
             "Toomre",

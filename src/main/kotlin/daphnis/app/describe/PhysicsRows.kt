@@ -111,7 +111,10 @@ internal class PhysicsRows(private val setup: ScenarioSetup, private val say: Qu
             "time ${number(scenario.end)}",
         )
         val energy = if (spec.thermostat) "kept by a thermostat" else "grows with the work of the surfaces"
-        rows.add("growth", "radii by ${number(spec.rate)} of those at the start per unit of time, to ${ends.joinToString(" or ")}")
+        rows.add(
+            "growth",
+            "radii by ${number(spec.rate)} of those at the start per unit of time, to ${ends.joinToString(" or ")}",
+        )
         rows.add("kinetic energy", energy)
     }
 

@@ -62,8 +62,8 @@ public class GrowingSpheres @JvmOverloads constructor(
 
     /**
      * The reduced pressure Z = P V/(N kT) in the last step, from the energy that growing spheres gave to the gas: dE = 3 N kT
-     * (Z − 1) da/a. NaN before the first step, with fewer than two spheres and where nothing moves. It holds for elastic
-     * collisions only.
+     * (Z − 1) da/a. NaN before the first step, with fewer than two spheres, where nothing moves, and where radii grow by less than their
+     * rounding. It holds for elastic collisions only.
      */
     public var reducedPressure: Double = Double.NaN
         internal set
@@ -141,19 +141,16 @@ public class GrowingSpheres @JvmOverloads constructor(
         val by = scale
         gamma = 0.0
         scale = 1.0
-        population.scaleRadii(by, loop)
+        population.sets.separateRadii()
+        val radius = population.radius
+        loop.runLight(population.size) { _, first, last ->
+            for (k in first until last) radius[k] *= by
+        }
         val energy = energy(population)
         val n = population.size
-        val ratio = energy / energyBefore
-        reducedPressure =
-            if (n < 2 ||
-                !(energyBefore > 0)
-            ) {
-                Double.NaN
-            } else {
-                1 +
-                    (n - 1.0) / n * StrictMath.log(ratio) / (2 * StrictMath.log(by))
-            }
+        val isKnown = n > 1 && energyBefore > 0 && by != 1.0
+        val work = StrictMath.log(energy / energyBefore) / (2 * StrictMath.log(by))
+        reducedPressure = if (isKnown) 1 + (n - 1.0) / n * work else Double.NaN
         if (!thermostat || !(energyBefore > 0)) return
         val factor = sqrt(energyBefore / energy)
         loop.runLight(n) { _, first, last ->
@@ -180,16 +177,16 @@ public class GrowingSpheres @JvmOverloads constructor(
         return energy
     }
 
-    private companion object {
-        const val AXES = 3
+    internal companion object {
+        private const val AXES = 3
 
         /** By how much radii may change in a step. */
         const val MOST = 0.1
 
         /** Of a sphere of radius 1. */
-        const val VOLUME = 4.0 / 3 * Math.PI
+        private const val VOLUME = 4.0 / 3 * Math.PI
 
         /** Just above 1. */
-        const val SLIGHTLY_MORE = 1 + 1e-9
+        private const val SLIGHTLY_MORE = 1 + 1e-9
     }
 }

@@ -19,8 +19,10 @@ import daphnis.core.step.CollapseException
 /**
  * Random places of any density up to jamming: spheres so small that they fill a fifth of the box are placed at random,
  * and then all grow in proportion to their radii while they collide elastically ([GrowingSpheres], with its
- * thermostat). The denser they are, the slower they grow, so that the state is that of a fluid up to the filling factor 0.5, and
- * nearly so above. Spheres that fill less than a fifth are placed at random and do not move.
+ * thermostat), the slower the denser they are. Spheres that fill less than a fifth are placed at random and do not move.
+ *
+ * The state is near equilibrium, not in it: at the filling factor 0.5 the pressure is 11 % above that of Carnahan &
+ * Starling at first, and within 1 % of it after two diameters over the thermal speed.
  *
  * The same bits for any number of threads. Equal spheres jam at about 0.64.
  *
@@ -53,7 +55,11 @@ public class GrownPlacement @JvmOverloads constructor(private val threads: Int =
         }
         val filling = fillingFactor(radii, box)
         val most = if (radii.all { it == largest }) CLOSEST else 1.0
-        if (filling >= most) throw PlacementException("the filling factor would be $filling; spheres fill $most at most")
+        if (filling >=
+            most
+        ) {
+            throw PlacementException("the filling factor would be $filling; spheres fill $most at most")
+        }
     }
 
     /**
@@ -73,7 +79,14 @@ public class GrownPlacement @JvmOverloads constructor(private val threads: Int =
         }
         val small = DoubleArray(n) { radii[it] * part }
         val spheres = Population(
-            start.x.copyOf(), start.y.copyOf(), start.z.copyOf(), v[0], v[1], v[2], small, DoubleArray(n) { 1.0 },
+            start.x.copyOf(),
+            start.y.copyOf(),
+            start.z.copyOf(),
+            v[0],
+            v[1],
+            v[2],
+            small,
+            DoubleArray(n) { 1.0 },
         )
         val full = fillingFactor(radii, box)
         HorizonEngine(threads).use { engine ->

@@ -36,7 +36,9 @@ public class LatticePlacement @JvmOverloads constructor(
         val width = DoubleArray(3) { width(it, cells[it], largest, box, walled) }
         val axes = box.space.dimensions
         val low =
-            DoubleArray(3) { if (walled[it]) box.lower(it) + largest - lattice.inset(it) * width[it] else box.lower(it) }
+            DoubleArray(3) {
+                if (walled[it]) box.lower(it) + largest - lattice.inset(it) * width[it] else box.lower(it)
+            }
         val p = Array(3) { DoubleArray(n) }
         for (k in 0 until n) {
             val site = (taken?.get(k) ?: k) * sites / wanted
@@ -67,7 +69,12 @@ public class LatticePlacement @JvmOverloads constructor(
 
     /** Infinite if there is a single site between two walls. */
     private fun width(axis: Int, cells: Int, radius: Double, box: Box, walled: BooleanArray): Double =
-        if (walled[axis]) (box.length(axis) - 2 * radius) / (cells - 2 * lattice.inset(axis)) else box.length(axis) / cells
+        if (walled[axis]) {
+            (box.length(axis) - 2 * radius) / (cells - 2 * lattice.inset(axis))
+        } else {
+            box.length(axis) /
+                cells
+        }
 
     /**
      * The numbers of cells, at least enough for [n], that keep neighbours farthest apart; null when even those touch.

@@ -1,6 +1,5 @@
 package daphnis.core.population
 
-import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.SphereQuantity.LAST_COLLISION
 
 /**
@@ -22,7 +21,7 @@ public class Population internal constructor(
      */
     public val materials: List<String>,
 ) : SphereColumns {
-    private val sets = ColumnSets(columns)
+    internal val sets = ColumnSets(columns)
     private val now: PopulationColumns get() = sets.now
 
     override val id: IntArray get() = now.id
@@ -258,15 +257,6 @@ public class Population internal constructor(
             to.z[k] = from.z[k] + from.vz[k] * duration
         }
         take(to)
-    }
-
-    /** Multiplies all radii by [factor], at the end of a step in which everything else has been written. */
-    internal fun scaleRadii(factor: Double, loop: RangeLoop) {
-        sets.separateRadii()
-        val radius = radius
-        loop.runLight(size) { _, from, to ->
-            for (k in from until to) radius[k] *= factor
-        }
     }
 
     /** Begins a step that can be taken back until [commitStep]. */

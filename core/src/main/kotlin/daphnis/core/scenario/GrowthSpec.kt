@@ -26,9 +26,10 @@ public class GrowthSpec @JvmOverloads constructor(
     public val untilPressure: Double? = null,
 ) {
     /** Whether a run ends with [population], which has grown in [boundary]. */
-    internal fun isOver(population: Population, boundary: GrowingSpheres): Boolean =
-        untilFillingFactor != null && (boundary.fillingFactor(population) >= untilFillingFactor) == (rate > 0) ||
-            untilPressure != null && boundary.reducedPressure >= untilPressure
+    internal fun isOver(population: Population, boundary: GrowingSpheres): Boolean = untilFillingFactor != null &&
+        (boundary.fillingFactor(population) >= untilFillingFactor) == (rate > 0) ||
+        untilPressure != null &&
+        boundary.reducedPressure >= untilPressure
 }
 
 /** Checks the growth of a scenario and puts it into its boundary. */
@@ -43,7 +44,9 @@ internal class GrowthSetup(private val scenario: Scenario, private val check: Va
             check.that("growth.untilFillingFactor", goal, goal > 0 && goal < 1) { "must be > 0 and < 1" }
         }
         spec.untilPressure?.let { goal ->
-            check.that("growth.untilPressure", goal, goal > 1 && goal.isFinite()) { "must be > 1, that of an ideal gas" }
+            check.that("growth.untilPressure", goal, goal > 1 && goal.isFinite()) {
+                "must be > 1, that of an ideal gas"
+            }
         }
         fun need(isMet: Boolean, what: String) = check.must("growth", isMet) { "needs $what" }
         need(scenario.boundary is BoundarySpec.Periodic, "boundary periodic, and has ${scenario.boundary}")
@@ -60,9 +63,20 @@ internal class GrowthSetup(private val scenario: Scenario, private val check: Va
     /** The longest step. */
     fun longest(): Double = if (spec == null || spec.rate == 0.0) Double.MAX_VALUE else PART / abs(spec.rate)
 
-    /** Checks that [population], with which a run to the time [end] begins, has room to grow in [box]. */
-    fun checkStart(population: Population, box: Box, end: Double) {
+    /**
+     * Checks that [population], with which a run to the time [end] begins with a step of [duration], has room to grow in
+     * [box].
+     */
+    fun checkStart(population: Population, box: Box, duration: Double, end: Double) {
         if (spec == null || spec.rate == 0.0 || population.size == 0) return
+        val change = abs(spec.rate) * duration
+        check.that("growth.rate", spec.rate, change <= GrowingSpheres.MOST) {
+            "changes radii by more than a tenth in a step of $duration; take a smaller rate or dt"
+        }
+        val wide = 2 * population.radius.max() * (1 + 2 * change) * SLIGHTLY_MORE
+        check.that("growth.rate", spec.rate, (0..2).all { wide < box.length(it) }) {
+            "makes the largest sphere touch its own image in a box of ${scenario.box.lengths}"
+        }
         val now = fillingFactor(population.radius, box)
         val scale = 1 + spec.rate * (end - scenario.startTime)
         check.that("growth.rate", spec.rate, scale > 0) { "makes spheres vanish before the end at time $end" }
@@ -85,6 +99,8 @@ internal class GrowthSetup(private val scenario: Scenario, private val check: Va
     private companion object {
         /** By how much radii grow at most in a step of which the scenario does not say how long it is. */
         const val PART = 0.02
+
+        const val SLIGHTLY_MORE = 1 + 1e-6
 
         /** Close packing of equal spheres, π/√18. */
         const val CLOSEST = 0.7404804896930610

@@ -154,8 +154,9 @@ public class ScenarioSetup private constructor(
             val timeStepSpec = resolve(around.timeStep, around, population)
             val resolved = ResolvedScenario(scenario, around.end, guardSpec, timeStepSpec, firstBody, output)
             val timeStep = timeStep(resolved, boundary, GrowthSetup(scenario, check).longest(), check)
-            checkSteps(resolved, timeStep.next(population), check)
-            if (state == null) GrowthSetup(scenario, check).checkStart(population, around.box, around.end)
+            val first = timeStep.next(population)
+            checkSteps(resolved, first, check)
+            if (state == null) GrowthSetup(scenario, check).checkStart(population, around.box, first, around.end)
             if (state == null) StartCheck(scenario, population, boundary, check, around.end).check(timeStep, isPlaced)
             if (state == null && (isPlaced || timeStep is FixedTimeStep)) {
                 val likeThem = forceSetup.forces(around.boundary, firstBody)
@@ -224,28 +225,27 @@ public class ScenarioSetup private constructor(
             boundary: BoundaryConditions,
             most: Double,
             check: ValueCheck,
-        ): TimeStep =
-            when (val spec = scenario.timeStep) {
-                is TimeStepSpec.Automatic -> {
-                    val path = spec.path ?: 0.0
-                    check.positive("timeStep.path", path)
-                    val stops = Stops(scenario.output.stops().map { Interval(it) }, scenario.end)
-                    val longest = minOf(scenario.end - scenario.startTime, FreePath.longest(boundary), most)
-                    FreePathTimeStep(path, longest, boundary.meanFlow, stops)
-                }
-                is TimeStepSpec.OrbitFraction -> error("times are written out before")
-                is TimeStepSpec.Fixed -> {
-                    check.positive("timeStep.dt", spec.dt)
-                    FixedTimeStep(spec.dt)
-                }
-                is TimeStepSpec.CellCrossing -> {
-                    check.positive("timeStep.fraction", spec.fraction)
-                    check.positive("timeStep.longest", spec.longest)
-                    val cell = spec.cell ?: 0.0
-                    check.positive("timeStep.cell", cell)
-                    CellCrossingTimeStep(spec.fraction, cell, spec.longest)
-                }
+        ): TimeStep = when (val spec = scenario.timeStep) {
+            is TimeStepSpec.Automatic -> {
+                val path = spec.path ?: 0.0
+                check.positive("timeStep.path", path)
+                val stops = Stops(scenario.output.stops().map { Interval(it) }, scenario.end)
+                val longest = minOf(scenario.end - scenario.startTime, FreePath.longest(boundary), most)
+                FreePathTimeStep(path, longest, boundary.meanFlow, stops)
             }
+            is TimeStepSpec.OrbitFraction -> error("times are written out before")
+            is TimeStepSpec.Fixed -> {
+                check.positive("timeStep.dt", spec.dt)
+                FixedTimeStep(spec.dt)
+            }
+            is TimeStepSpec.CellCrossing -> {
+                check.positive("timeStep.fraction", spec.fraction)
+                check.positive("timeStep.longest", spec.longest)
+                val cell = spec.cell ?: 0.0
+                check.positive("timeStep.cell", cell)
+                CellCrossingTimeStep(spec.fraction, cell, spec.longest)
+            }
+        }
 
         /** Steps are counted, and each must advance the time. */
         private fun checkSteps(scenario: ResolvedScenario, first: Double, check: ValueCheck) {

@@ -3,9 +3,9 @@ package daphnis.core.compression
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.Periodic
 import daphnis.core.initial.PlacementException
+import daphnis.core.initial.Positions
 import daphnis.core.initial.RandomPlacement
 import daphnis.core.initial.SeededRandom
-import daphnis.core.initial.Positions
 import daphnis.core.population.Population
 import daphnis.core.search.Overlap
 import org.junit.jupiter.api.Assertions.assertArrayEquals
@@ -15,8 +15,17 @@ import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
 class GrownPlacementTest {
-    private fun radii(count: Int, seed: Long? = null): DoubleArray =
-        SeededRandom(seed ?: 0).let { random -> DoubleArray(count) { if (seed == null) 1.0 else random.nextDouble(0.3, 1.0) } }
+    private fun radii(count: Int, seed: Long? = null): DoubleArray = SeededRandom(seed ?: 0).let { random ->
+        DoubleArray(count) {
+            if (seed ==
+                null
+            ) {
+                1.0
+            } else {
+                random.nextDouble(0.3, 1.0)
+            }
+        }
+    }
 
     private fun boxOf(radii: DoubleArray, filling: Double): Box {
         val edge = Math.cbrt(radii.sumOf { 4.0 / 3 * Math.PI * it * it * it } / filling)

@@ -46,7 +46,14 @@ class LatticePlacementTest {
     fun `between walls whole spheres are inside, and touch none`() {
         for (lattice in Lattice.entries) {
             val box = Box.centred(7.0, 8.0, 9.0)
-            val p = LatticePlacement(lattice).place(DoubleArray(50) { 0.6 }, box, BooleanArray(3) { true }, SeededRandom(1))
+            val p = LatticePlacement(lattice).place(
+                DoubleArray(50) {
+                    0.6
+                },
+                box,
+                BooleanArray(3) { true },
+                SeededRandom(1),
+            )
             for ((axis, x) in listOf(p.x, p.y, p.z).withIndex()) {
                 assertTrue(x.min() >= box.lower(axis) + 0.6 - 1e-12 && x.max() <= box.upper(axis) - 0.6 + 1e-12)
             }

@@ -83,7 +83,8 @@ class DenseDraw(private val seed: Long) {
     private fun around(): BoundaryConditions {
         val isWhole = boundary is Periodic && (0..2).all { boundary.hasImages(it) }
         if (!isWhole || seed % 3 != 0L || apart < 1.1) return boundary
-        return GrowingSpheres(box, (if (seed % 2 == 0L) 1e-3 else -1e-3) / dt, thermostat = seed % 5 != 0L)
+        val part = 0.03 * (apart - 1)
+        return GrowingSpheres(box, (if (seed % 2 == 0L) part else -part) / dt, thermostat = seed % 5 != 0L)
     }
 
     fun simulation(engine: CollisionEngine, restitution: Restitution = this.restitution) = Simulation(
