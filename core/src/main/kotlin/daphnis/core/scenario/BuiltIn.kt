@@ -10,9 +10,8 @@ public object BuiltIn {
     public val names: List<String> =
         listOf(
             "paper-figure-1", "paper-figure-2", "paper-figure-3", "elastic-gas", "cooling-gas", "rough-gas",
-            "mixture", "vibrated-bed", "shear-cell", "ring-patch", "rough-ring", "satellite-wake", "moonlet", "moonlet-walk",
-            "overstability",
-            "self-gravity-wakes",
+            "mixture", "vibrated-bed", "shear-cell", "ring-patch", "rough-ring", "satellite-wake", "moonlet",
+            "moonlet-walk", "overstability", "self-gravity-wakes",
         )
 
     /** The text of the scenario [name], with its comments; null when there is none. */

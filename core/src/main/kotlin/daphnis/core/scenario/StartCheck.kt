@@ -88,7 +88,8 @@ internal class StartCheck(
         if (motions.isEmpty()) return
         val frequency = motions.maxOf { (it as? WallMotion.Periodic)?.frequency ?: 0.0 }
         check.must("timeStep", frequency * duration <= MOST_CYCLES) {
-            "is so long that a wall across ${"xyz"[axis]} has ${frequency * duration} cycles in a step; take a smaller dt"
+            "is so long that a wall across ${"xyz"[axis]} has ${frequency * duration} cycles in a step; " +
+                "take a smaller dt"
         }
         val room = boundary.leastRoom(axis, scenario.startTime, end)
         check.must("boundary.faces", room > 2 * largest) {

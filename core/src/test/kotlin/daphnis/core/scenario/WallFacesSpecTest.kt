@@ -76,8 +76,10 @@ class WallFacesSpecTest {
 
     @Test
     fun `what cannot be is refused in a line that names the key`() {
-        fun sine(amplitude: Any, frequency: Any, phase: Any = 0) =
-            """{ "lowerZ": { "motion": { "type": "sine", "amplitude": $amplitude, "frequency": $frequency, "phase": $phase } } }"""
+        fun sine(amplitude: Any, frequency: Any, phase: Any = 0): String {
+            val numbers = """"amplitude": $amplitude, "frequency": $frequency, "phase": $phase"""
+            return """{ "lowerZ": { "motion": { "type": "sine", $numbers } } }"""
+        }
         val wrong = mapOf(
             """{ "lowerY": { "restitution": 1 } }""" to "boundary.faces.lowerY is of no wall",
             """{ "lowerX": { "restitution": 1.5 } }""" to "boundary.faces.lowerX.restitution is 1.5",
