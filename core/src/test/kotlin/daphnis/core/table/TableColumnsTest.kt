@@ -27,7 +27,7 @@ class TableColumnsTest {
         val body = "bodies=[{\"radius\": 0.6, \"position\": [0, 0, 0]}]"
         val floor = """"lowerZ": { "motion": { "type": "sine", "amplitude": 0.1, "frequency": 1 } }"""
         val walls = """boundary={ "type": "walls", "axes": "z", "faces": { $floor } }"""
-        val scenario = tableScenario("roughness={\"type\": \"smooth\"}", body, walls)
+        val scenario = tableScenario("roughness={\"type\": \"smooth\"}", body, walls, "velocities.shearProfile=false")
         Run.start(scenario, "test", home.resolve("run")).use { it.execute() }
         for (table in tables) {
             val lines = Files.readAllLines(home.resolve("run").resolve(table.file)).map { it.split(',') }
