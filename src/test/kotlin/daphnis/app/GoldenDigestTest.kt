@@ -98,9 +98,9 @@ class GoldenDigestTest {
             "rough-ring",
         )
         val ODD = listOf(
-            "open-clump", "periodic-thin", "walls-gravity", "walls-driven", "walls-lattice", "sheared-dense", "lees-edwards-sizes",
-            "ring-gravity", "ring-mesh", "ring-waves", "moonlet-small", "ringlet-moon", "moons", "big-among-small",
-            "discs-rough",
+            "open-clump", "periodic-thin", "walls-gravity", "walls-driven", "walls-lattice", "sheared-dense",
+            "lees-edwards-sizes", "ring-gravity", "ring-mesh", "ring-waves", "moonlet-small", "ringlet-moon", "moons",
+            "big-among-small", "discs-rough",
         )
 
         /** Lines of `name,steps,digest`, steps empty for the end. */

@@ -109,8 +109,8 @@ public sealed class WallMotion {
     }
 
     /**
-     * Goes from −A to A at one speed and back at another: [rise] is the part of a cycle that the way up takes, 0.5 for a
-     * triangle. At phase 0 it is at −A.
+     * Goes from −A to A at one speed and back at another: [rise] is the part of a cycle that the way up takes, 0.5 for
+     * a triangle. At phase 0 it is at −A.
      */
     public class Sawtooth @JvmOverloads constructor(
         amplitude: Double,

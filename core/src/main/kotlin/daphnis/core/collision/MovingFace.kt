@@ -8,14 +8,14 @@ import kotlin.math.sqrt
  * A wall that moves within a step, as spheres see it whose paths are straight.
  *
  * **Gravity.** A uniform acceleration g acts as half a kick before the drift and half a kick after it. The path of the
- * drift is the chord X(t) = x₀ + (v₀ + ½ g τ) t of a step of length τ, and the true one is X(t) − ½ g t (τ − t). So spheres
- * which keep to their chords meet a wall at w that stands at w + ½ g t (τ − t), at the same time and with the same
- * velocity relative to it as on their parabolas. Pairs fall alike, so that nothing changes for them.
+ * drift is the chord X(t) = x₀ + (v₀ + ½ g τ) t of a step of length τ, and the true one is X(t) − ½ g t (τ − t). So
+ * spheres which keep to their chords meet a wall at w that stands at w + ½ g t (τ − t), at the same time and with the
+ * same velocity relative to it as on their parabolas. Pairs fall alike, so that nothing changes for them.
  *
  * **First contact.** With the gap c at some moment, its rate b and a lower bound a of its second derivative, the gap is
  * nowhere below c + b s + ½ a s² after a time s. So there is no contact before that parabola meets zero. Where the
- * acceleration is constant that is the contact. Elsewhere the search goes on from there, and comes nearer from one side,
- * twice as many digits at a time: it passes over no contact, however often the wall comes and goes.
+ * acceleration is constant that is the contact. Elsewhere the search goes on from there, and comes nearer from one
+ * side, twice as many digits at a time: it passes over no contact, however often the wall comes and goes.
  *
  * Everything is a pure function of the sphere's row and the step.
  */
@@ -65,8 +65,8 @@ internal class MovingFace(private val isLower: Boolean, private val motion: Wall
     }
 
     /**
-     * When a sphere of radius [r] that is at [x] at the time [from], with the velocity [v] along the axis, first touches
-     * the wall while coming nearer; [NEVER] when it does not in this step.
+     * When a sphere of radius [r] that is at [x] at the time [from], with the velocity [v] along the axis, first
+     * touches the wall while coming nearer; [NEVER] when it does not in this step.
      */
     fun contact(x: Double, v: Double, r: Double, from: Double): Double {
         var t = from
@@ -96,8 +96,8 @@ internal class MovingFace(private val isLower: Boolean, private val motion: Wall
     }
 
     /**
-     * The contact from the time [start] on in a piece of the motion that lasts until [end]; later than that, or [NEVER],
-     * when there is none in it. [bending] is the least second derivative of the gap.
+     * The contact from the time [start] on in a piece of the motion that lasts until [end]; later than that, or
+     * [NEVER], when there is none in it. [bending] is the least second derivative of the gap.
      */
     private fun alongPiece(
         x: Double,

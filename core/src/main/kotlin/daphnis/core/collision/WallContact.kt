@@ -12,8 +12,8 @@ import kotlin.math.abs
 
 /**
  * Reflecting walls. A wall is a partner with a negative number, −1 − face; faces are numbered −x, +x, −y, +y, −z, +z
- * from 0, and in the order of events a wall counts as an id of that negative number. Walls that move, and those across a
- * uniform acceleration, are [MovingFace]s.
+ * from 0, and in the order of events a wall counts as an id of that negative number. Walls that move, and those across
+ * a uniform acceleration, are [MovingFace]s.
  */
 @EngineApi
 public class WallContact {
@@ -38,8 +38,8 @@ public class WallContact {
         private set
 
     /**
-     * Takes over the walls of [boundary] for spheres whose collisions have a [law], for a step of [duration] that begins
-     * at [start]; neither matters where walls rest and nothing falls.
+     * Takes over the walls of [boundary] for spheres whose collisions have a [law], for a step of [duration] that
+     * begins at [start]; neither matters where walls rest and nothing falls.
      */
     @JvmOverloads
     public fun prepare(boundary: BoundaryConditions, law: CollisionLaw, start: Double = 0.0, duration: Double = 0.0) {
@@ -96,9 +96,9 @@ public class WallContact {
     }
 
     /**
-     * Where a sphere may touch the wall [face] that is at the box's face when it rests: as far into the room as the wall
-     * comes, for paths that are straight within each step, in steps that cover the time [span] from the start of this
-     * one.
+     * Where a sphere may touch the wall [face] that is at the box's face when it rests: as far into the room as the
+     * wall comes, for paths that are straight within each step, in steps that cover the time [span] from the start of
+     * this one.
      */
     internal fun innermost(face: Int, span: Double): Double = moving[face]?.innermost(span) ?: faceOf(face)
 

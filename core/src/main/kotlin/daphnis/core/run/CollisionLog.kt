@@ -89,8 +89,8 @@ internal class LoggedCollision(val held: HeldCollisions) {
 }
 
 /**
- * The columns of `collisions.csv`; `docs/guide.md` says what they mean. A further quantity is a further line here. Those
- * from [TANGENTIAL_IMPULSE] on are only there where spheres have spins.
+ * The columns of `collisions.csv`; `docs/guide.md` says what they mean. A further quantity is a further line here.
+ * Those from [TANGENTIAL_IMPULSE] on are only there where spheres have spins.
  */
 public object CollisionColumns : TableColumns {
     internal val rows = Columns<LoggedCollision>("collisions.csv")

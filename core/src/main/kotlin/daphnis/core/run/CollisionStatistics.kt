@@ -7,8 +7,8 @@ import daphnis.core.collision.CollisionRecord
 import daphnis.core.population.ExactSum
 
 /**
- * Sums over the collisions of two spheres in a run: number, impact speeds, and the momentum that collisions carry. They are exact
- * ([ExactSum]): the order of the collisions changes no bit. The simulation's collisional forcing must record
+ * Sums over the collisions of two spheres in a run: number, impact speeds, and the momentum that collisions carry. They
+ * are exact ([ExactSum]): the order of the collisions changes no bit. The simulation's collisional forcing must record
  * collisions.
  *
  * @property from collisions of steps that end at or before this time are left out

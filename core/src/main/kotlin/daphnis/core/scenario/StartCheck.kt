@@ -14,6 +14,7 @@ import daphnis.core.population.Population
 import daphnis.core.search.Overlap
 import daphnis.core.search.Reach
 import kotlin.math.abs
+import kotlin.math.sqrt
 
 /**
  * Checks that a population can start in its box: all spheres are inside, the box is wide enough for its images, and no
@@ -47,7 +48,9 @@ internal class StartCheck(
                     check.that(key, length, length > 2 * largest) {
                         "must exceed the diameter of the largest sphere, ${2 * largest}"
                     }
-                    checkMotion(axis, largest, if (isKnown) timeStep.next(population) else 0.0)
+                    val duration = if (isKnown) timeStep.next(population) else 0.0
+                    checkMotion(axis, largest, duration)
+                    checkFall(axis, duration)
                 }
                 // Moonlets may stick out of the slab in which particles are placed.
                 ContactFaces.OPEN, ContactFaces.WRAPPING -> {
@@ -88,12 +91,25 @@ internal class StartCheck(
         if (motions.isEmpty()) return
         val frequency = motions.maxOf { (it as? WallMotion.Periodic)?.frequency ?: 0.0 }
         check.must("timeStep", frequency * duration <= MOST_CYCLES) {
-            "is so long that a wall across ${"xyz"[axis]} has ${frequency * duration} cycles in a step; take a smaller dt"
+            "is so long that a wall across ${"xyz"[axis]} has ${frequency * duration} cycles in a step; " +
+                "take a smaller dt"
         }
         val room = boundary.leastRoom(axis, scenario.startTime, end)
         check.must("boundary.faces", room > 2 * largest) {
             "lets the walls across ${"xyz"[axis]} come as near to each other as $room; " +
                 "that must exceed the diameter of the largest sphere, ${2 * largest}"
+        }
+    }
+
+    /** A sphere that falls through the room and bounces needs √(8 l/g) to be back. */
+    private fun checkFall(axis: Int, duration: Double) {
+        val forces = scenario.forces.filterIsInstance<ForceSpec.UniformAcceleration>()
+        if (forces.isEmpty() || scenario.frame != null) return
+        val acceleration = abs(forces.sumOf { it.acceleration[axis] })
+        val falls = duration * sqrt(acceleration / (8 * boundary.box.length(axis)))
+        check.must("timeStep", falls <= MOST_CYCLES) {
+            "is so long that spheres fall $falls times through the room across ${"xyz"[axis]} in a step; " +
+                "take a smaller dt"
         }
     }
 
@@ -210,7 +226,7 @@ internal class StartCheck(
          */
         private const val MOST_BOXES = 3
 
-        /** Of a wall in a step. More would still be right, but contacts are looked for in each. */
+        /** Of a wall or a bouncing sphere in a step. More would still be right, but there are contacts in each. */
         private const val MOST_CYCLES = 1000
 
         /** Of a mesh, 0.3 GB. */

@@ -160,7 +160,7 @@ class InelasticContactTest {
     }
 
     @Test
-    fun `a sphere falls onto a plastic floor once`() {
+    fun `a sphere that falls onto a plastic floor stays there, but for what it rattles`() {
         val start: Population = populationOf(Sphere(z = 2.0))
         val fall = Simulation(
             start,
@@ -170,6 +170,7 @@ class InelasticContactTest {
             listOf(UniformAcceleration(0.0, 0.0, -1.0)),
         )
         repeat(500) { fall.advance() }
-        assertEquals(1.0, start.z[0], 1e-12)
+        val rattles = (0.01 / 16).let { it * it / 2 }
+        assertTrue(start.z[0] > 1.0 - 1e-12 && start.z[0] < 1.0 + 1.001 * rattles) { "at ${start.z[0]}" }
     }
 }

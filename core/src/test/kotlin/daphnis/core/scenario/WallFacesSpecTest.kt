@@ -76,8 +76,10 @@ class WallFacesSpecTest {
 
     @Test
     fun `what cannot be is refused in a line that names the key`() {
-        fun sine(amplitude: Any, frequency: Any, phase: Any = 0) =
-            """{ "lowerZ": { "motion": { "type": "sine", "amplitude": $amplitude, "frequency": $frequency, "phase": $phase } } }"""
+        fun sine(amplitude: Any, frequency: Any, phase: Any = 0): String {
+            val numbers = """"amplitude": $amplitude, "frequency": $frequency, "phase": $phase"""
+            return """{ "lowerZ": { "motion": { "type": "sine", $numbers } } }"""
+        }
         val wrong = mapOf(
             """{ "lowerY": { "restitution": 1 } }""" to "boundary.faces.lowerY is of no wall",
             """{ "lowerX": { "restitution": 1.5 } }""" to "boundary.faces.lowerX.restitution is 1.5",
@@ -109,5 +111,13 @@ class WallFacesSpecTest {
         val rough = """"roughness": { "all": { "type": "constant", "coefficient": 1 } },"""
         val both = refused("""{ "lowerX": { "temperature": 1 } }""", walls = rough)
         assertTrue("boundary.faces.lowerX: has a temperature" in both) { both }
+    }
+
+    @Test
+    fun `a fall that bounces too often in a step is refused`() {
+        fun falling(g: String) = """forces=[{"type": "uniform-acceleration", "acceleration": [0, 0, $g]}]"""
+        setup("{}", falling("1e9"))
+        val told = refused("{}", falling("-1e12"))
+        assertTrue("timeStep: is so long that spheres fall" in told && "across z" in told) { told }
     }
 }

@@ -23,10 +23,13 @@ class TableColumnsTest {
 
     @Test
     fun `the files of a run have the declared columns and as many numbers in every row`() {
-        // Rough spheres have all columns that there are, but for those of spheres that grow, which are smooth.
+        // Rough spheres between walls of which one moves have all columns that there are, but for those of spheres that
+        // grow, which are smooth.
         val ofGrowth = setOf(SeriesColumns.FILLING_FACTOR, SeriesColumns.REDUCED_PRESSURE)
         val body = "bodies=[{\"radius\": 0.6, \"position\": [0, 0, 0]}]"
-        val scenario = tableScenario("roughness={\"type\": \"smooth\"}", body)
+        val floor = """"lowerZ": { "motion": { "type": "sine", "amplitude": 0.1, "frequency": 1 } }"""
+        val walls = """boundary={ "type": "walls", "axes": "z", "faces": { $floor } }"""
+        val scenario = tableScenario("roughness={\"type\": \"smooth\"}", body, walls, "velocities.shearProfile=false")
         Run.start(scenario, "test", home.resolve("run")).use { it.execute() }
         for (table in tables) {
             val lines = Files.readAllLines(home.resolve("run").resolve(table.file)).map { it.split(',') }

@@ -60,9 +60,6 @@ internal class CollisionGroup(
     /** Whether paths are kept, so that a part of the work can be dropped. */
     private var keepsPaths = false
 
-    /** Whether collisions are written to [record]. */
-    private var isRecording = false
-
     /** Whether collisions are under way: pairs that are due are asked at once. */
     private var isUnderWay = false
 
@@ -105,7 +102,6 @@ internal class CollisionGroup(
     /** Collisions begin; they are written to [record]. */
     fun open(record: CollisionRecord?) {
         isUnderWay = true
-        isRecording = record === this.record
         impact.begin(record)
     }
 
@@ -247,7 +243,7 @@ internal class CollisionGroup(
 
     override fun met(first: Int, second: Int) {
         work.impacts++
-        if (keepsPaths) paths.met(first, second, impact.counted, if (isRecording) record.size else 0)
+        if (keepsPaths) paths.met(first, second, impact.counted, record.size)
     }
 
     override fun bend(slot: Int, place: Int) {

@@ -92,7 +92,7 @@ internal class GroupPaths : GrowingTable() {
      * The spheres at [first] and [second] have met, after which [counted] is what the group has counted. The two are
      * the same where a sphere has met a wall.
      *
-     * @param entries how many the group's record has now; 0 where nothing is recorded
+     * @param entries how many the group's record has now; the same ever where nothing is recorded
      */
     fun met(first: Int, second: Int, counted: CollisionCounters, entries: Int) {
         reach(maxOf(first, second))
