@@ -52,7 +52,7 @@ internal class SpinSection(private val study: Study) : Section {
             val x = if (which < 3) component else modulus
             Curve(name, x, means(all), DoubleArray(bins) { study.judgement.error(all[it]) })
         }
-        val axes = listOf("x", "y", "z").mapIndexed { axis, name -> curve("s_$name", axis) }.drop(3 - space.rotations)
+        val axes = (3 - space.rotations until 3).map { curve("s_${"xyz"[it]}", it) }
         val whole = curve("s", 3)
         val gauss = Curve(MAXWELLIAN, component, DoubleArray(bins) { SpinDistribution.ofComponent(component[it]) })
         val maxwell = Curve(MAXWELLIAN, modulus, DoubleArray(bins) { SpinDistribution.ofModulus(modulus[it]) })
