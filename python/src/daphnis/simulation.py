@@ -296,10 +296,14 @@ class Simulation:
 
     @property
     def granular_temperature(self) -> float:
-        """⟨c²⟩/3, weighted by mass, c the peculiar velocity; in units of speed squared."""
-        flow = self._java.getBoundary().getMeanFlow()
+        """⟨c²⟩/3, of discs ⟨c²⟩/2, weighted by mass, c the peculiar velocity; in units of speed squared."""
         temperatures = java("daphnis.core.population.GranularTemperature")
-        return float(temperatures.of(self._java.getPopulation(), flow, self._first_body))
+        return float(temperatures.within(self._java.getPopulation(), self._java.getBoundary(), self._first_body))
+
+    @property
+    def dimensions(self) -> int:
+        """3, or 2 for discs in the plane z = 0."""
+        return int(self._java.getBoundary().getSpace().getDimensions())
 
     @property
     def digest(self) -> str:

@@ -53,6 +53,11 @@ class State:
         """Steps since the start of the run."""
         return int(self._java.getStep())
 
+    @property
+    def dimensions(self) -> int:
+        """2 where all spheres are in the plane z = 0 and stay there, as discs do; else 3."""
+        return 2 if self._java.isInPlane() else 3
+
     def __len__(self) -> int:
         return int(self._java.getSize())
 

@@ -57,8 +57,9 @@ internal fun scenarioSeeds(): List<JsonObject> {
 }
 
 /** A radius of which 60 fit. */
-private fun radius(name: String): Double = BuiltIn.scenario(name).box.lengths.let {
-    Math.cbrt(it[0] * it[1] * it[2] / 60 * 0.02).coerceAtMost(it.min() / 4)
+private fun radius(name: String): Double = BuiltIn.scenario(name).let { scenario ->
+    val lengths = scenario.box.lengths
+    scenario.space.edge(lengths.reduce(Double::times) / 60 * 0.02).coerceAtMost(lengths.min() / 4)
 }
 
 private fun twoSteps(file: Path, counts: FuzzCounts) {

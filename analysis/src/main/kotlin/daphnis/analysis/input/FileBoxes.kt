@@ -19,8 +19,8 @@ import java.nio.file.Path
 internal class FileBoxes(private val path: Path, private val states: List<Snapshot>, hasTimes: Boolean) {
     private val slide = Slide.of(path, states, hasTimes)
 
-    /** Discs: nothing in the file is out of the plane z = 0, or moves out of it. */
-    private val isFlat = states.any { it.size > 1 } && states.all { it.isInPlane }
+    /** Discs: nothing in the file is out of the plane z = 0, or moves out of it; of a few spheres that is chance. */
+    private val isFlat = states.all { it.size >= FEWEST_DISCS && it.isInPlane }
     private val reach = Reach(states, isFlat)
 
     /** What a user should know of how images slide, and of spheres outside; a line each. */
@@ -143,4 +143,5 @@ internal fun Snapshot.repeats(axis: Int) = periodic[axis] && !lengths[axis].isNa
 
 private fun Snapshot.way() = "along ${"xyz"[slideAxis]} across ${"xyz"[normalAxis]}"
 
+private const val FEWEST_DISCS = 4
 private const val ROUND_OFF = 1e-9

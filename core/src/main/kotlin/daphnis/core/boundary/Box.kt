@@ -29,7 +29,7 @@ package daphnis.core.boundary
  * @property space in which particles move
  * @throws IllegalArgumentException unless every `lower < upper`; infinite bounds stand for open axes
  */
-public class Box private constructor(
+public class Box internal constructor(
     public val lowerX: Double,
     public val lowerY: Double,
     public val lowerZ: Double,

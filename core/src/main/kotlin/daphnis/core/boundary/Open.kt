@@ -10,7 +10,7 @@ public object Open : BoundaryConditions {
 }
 
 /** No boundary in the plane: discs may go anywhere in it. */
-public object OpenPlane : BoundaryConditions {
+internal object OpenPlane : BoundaryConditions {
     override val box: Box get() = Box.PLANE
 
     override fun endStep(population: Population, time: Double): Unit = Unit

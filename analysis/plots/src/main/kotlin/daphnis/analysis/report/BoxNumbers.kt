@@ -60,7 +60,8 @@ internal class BoxNumbers(private val study: Study) {
         val stress =
             mass / study.last.boundary.box.volume /
                 (population.mass.average() / space.volume(diameter / 2) * gamma2)
-        val note = "γ: shear rate; σ in T*, p*, τ*: mean diameter; ρ_p: density of a ${if (space.isPlane) "disc" else "sphere"}"
+        val one = if (space.isPlane) "disc" else "sphere"
+        val note = "γ: shear rate; σ in T*, p*, τ*: mean diameter; ρ_p: density of a $one"
         rows.average("reduced_temperature", "temperature T* = T/(γσ)²", transport.temperature * (1 / gamma2), "", note)
         rows.average("reduced_pressure", "pressure p* = p/(ρ_p σ²γ²)", transport.pressure * stress, "")
         val shearStress = transport.pressure("xy") * (-stress * Math.signum(rate))

@@ -52,7 +52,7 @@ internal class SpinSection(private val study: Study) : Section {
             val x = if (which < 3) component else modulus
             Curve(name, x, means(all), DoubleArray(bins) { study.judgement.error(all[it]) })
         }
-        val axes = listOf("x", "y", "z").mapIndexed { axis, name -> curve("s_$name", axis) }.drop(3 - space.rotations)
+        val axes = (3 - space.rotations until 3).map { curve("s_${"xyz"[it]}", it) }
         val whole = curve("s", 3)
         val gauss = Curve(MAXWELLIAN, component, DoubleArray(bins) { SpinDistribution.ofComponent(component[it]) })
         val maxwell = Curve(MAXWELLIAN, modulus, DoubleArray(bins) { SpinDistribution.ofModulus(modulus[it]) })
@@ -111,7 +111,8 @@ internal class SpinSection(private val study: Study) : Section {
         val log = Chart.isWide(temperatures.flatMap { it.y.asList() })
         val label = UnitNames.axis("partial temperature", units.energy)
         val both = Chart.lines(temperatures, axis, label, logX = true, logY = log)
-        val caption = "Partial temperatures m⟨c²⟩/${space.dimensions} and I⟨ω²⟩$perAxis of particles by size, energies; c as under Sizes."
+        val which = "m⟨c²⟩/${space.dimensions} and I⟨ω²⟩$perAxis"
+        val caption = "Partial temperatures $which of particles by size, energies; c as under Sizes."
         study.draw(page, both, "temperature-by-size", "partial temperatures by size", caption)
         val columns = listOf(
             Column("count", "", means(filled.map { spin(it, "count") })),
