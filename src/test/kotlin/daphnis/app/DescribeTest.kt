@@ -69,6 +69,30 @@ class DescribeTest {
     }
 
     @Test
+    fun `the run time counts collisions, from those of a loose ring to those of a full one`() {
+        // Has 10.3 million collisions, and takes 33 s; 198,000 at optical depth 0.5 in 70 orbits.
+        val wave = row(describe("overstability"), "run time")
+        val (least, most) = Regex("about ([0-9]+) s to ([0-9]+) s .* ([0-9]+) to ([0-9]+) collisions").find(wave)!!
+            .destructured.let { (a, b, c, d) -> (a.toInt() to c.toDouble()) to (b.toInt() to d.toDouble()) }
+        assertTrue(least.first in 5..12 && most.first in 25..40) { wave }
+        assertEquals(10.3e6, most.second, 0.5e6)
+        val thin = row(describe("overstability", "particles.opticalDepth=0.5", "untilOrbits=70"), "run time")
+        assertEquals(198e3, Regex("([0-9]+) to [0-9]+ collisions").find(thin)!!.groupValues[1].toDouble(), 30e3)
+        val gas = row(describe("elastic-gas"), "run time")
+        assertTrue(gas.endsWith(" on one core, roughly; with the 212000 collisions of the start")) { gas }
+    }
+
+    @Test
+    fun `a mesh needs memory`() {
+        fun memory(vararg settings: String) =
+            row(describe("self-gravity-wakes", *settings), "memory").substringAfter("Java, ").substringBefore(' ')
+        assertEquals("340", memory())
+        val mesh = memory("""forces[0]={"type":"self-gravity","method":"mesh"}""").toDouble()
+        // As the heap has after a step: 160 to 200 B for a point per sphere, here 2.2 points.
+        assertEquals(340 + 270.0, mesh, 60.0)
+    }
+
+    @Test
     fun `steps, cells and memory have units, and one of a kind is named as one`() {
         val ring = describe("ring-patch", "output.seriesEvery=8001")
         assertEquals("8000 of 3.985 min to time 1913000 s, 22.14 days", row(ring, "steps"))

@@ -109,8 +109,8 @@ private fun oneLine(file: Path, e: RuntimeException, counts: FuzzCounts) {
 private const val MOST_ADVANCED = 20_000
 
 private val GOLDEN = listOf(
-    "big-among-small", "lees-edwards-sizes", "moonlet-small", "open-clump", "periodic-thin",
-    "ring-gravity", "ringlet-moon", "sheared-dense", "walls-gravity", "walls-lattice",
+    "big-among-small", "lees-edwards-sizes", "moonlet-small", "moons", "open-clump", "periodic-thin", "ring-gravity",
+    "ring-mesh", "ring-waves", "ringlet-moon", "sheared-dense", "walls-gravity", "walls-lattice",
 )
 
 private val ODD = listOf(

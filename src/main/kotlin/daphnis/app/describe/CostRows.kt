@@ -4,6 +4,7 @@ import daphnis.app.describe.Quantities.Companion.bytes
 import daphnis.app.describe.Quantities.Companion.number
 import daphnis.core.FixedTimeStep
 import daphnis.core.FreePathTimeStep
+import daphnis.core.force.MeshGravity
 import daphnis.core.measure
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.run.Course
@@ -35,13 +36,9 @@ internal class CostRows(private val setup: ScenarioSetup, private val say: Quant
     fun write() {
         outputs()
         val spin = if (setup.population.hasSpin) BYTES_PER_SPIN else 0.0
-        val each = ScenarioSetup.BYTES_PER_SPHERE + spin
+        val each = ScenarioSetup.BYTES_PER_SPHERE + spin + meshBytes()
         rows.add("memory", "${bytes(size * each)} of the heap of Java, ${bytes(each)} per sphere")
-        rows.add(
-            "run time",
-            "${took(steps * size * secondsPerSphereAndStep())} on one core, roughly; several times that in a " +
-                "dense ring",
-        )
+        time()
         val count = when {
             exact -> ""
             chosen == null -> "at least "
@@ -50,6 +47,25 @@ internal class CostRows(private val setup: ScenarioSetup, private val say: Quant
         rows.add("steps", "$count of ${say.time(dt)} to time ${say.timeInUnits(scenario.end)}")
         chosen?.let { choice(it) }
         search()
+    }
+
+    /** Per sphere, of all meshes. */
+    private fun meshBytes() = setup.forces.filterIsInstance<MeshGravity>().sumOf {
+        val spacing = it.spacingFor(setup.population)
+        val points = setup.boundary.box.let { box -> box.length(0) / spacing * (box.length(1) / spacing) }
+        BYTES_PER_PULL + BYTES_PER_POINT * points / maxOf(1, size)
+    }
+
+    private fun time() {
+        val rate = CollisionRate.of(setup)
+        val still = steps * size * secondsPerSphereAndStep()
+        val each = if (setup.frequencies == null) GAS_COLLISION_SECONDS else RING_COLLISION_SECONDS
+        val half = size * (scenario.end - scenario.startTime) / 2
+        val (least, most) = took(still + half * rate.least * each) to took(still + half * rate.most * each)
+        val seconds = if (least == most) least else "$least to ${most.removePrefix("about ")}"
+        val counts = listOf(half * rate.least, half * rate.most).map { number(it) }.distinct().joinToString(" to ")
+        val why = if (setup.frequencies == null) "with the $counts collisions of the start" else "$counts collisions"
+        rows.add("run time", "$seconds on one core, roughly; $why")
     }
 
     /** Steps to the end if the greatest speed stays, those that outputs cut short included. */
@@ -146,6 +162,14 @@ internal class CostRows(private val setup: ScenarioSetup, private val say: Quant
     private companion object {
         /** What spins add: three columns in population, packed rows and their copy, as `jmap -histo` counts them. */
         const val BYTES_PER_SPIN = 72.0
+
+        /** Of [MeshGravity], what it keeps of each sphere and at each point of the plane, in the heap after a step. */
+        const val BYTES_PER_PULL = 80.0
+        const val BYTES_PER_POINT = 120.0
+
+        /** A collision in a gas, and in a dense ring, where searches look at more spheres; overstability has 2.5 µs. */
+        const val GAS_COLLISION_SECONDS = 1e-6
+        const val RING_COLLISION_SECONDS = 2.5e-6
 
         const val SLACK = 1e-6
         const val MOST_WRITTEN = 1e12

@@ -78,6 +78,11 @@ class TimingTest {
         val path = folder.resolve("bench.csv")
         val header = FIRST
         val full = "$FIRST,processor_seconds,java"
+        Files.write(folder.resolve("bytes.csv"), byteArrayOf(0xC3.toByte(), 0x28, 10)).let {
+            val e = assertThrows(FormatException::class.java) { TimingFile.read(it) }
+            assertEquals("$it: cannot be read: is not UTF-8 text", e.message)
+        }
+
         fun refused(text: String, part: String) {
             Files.writeString(path, text)
             val e = assertThrows(FormatException::class.java) { TimingFile.read(path) }

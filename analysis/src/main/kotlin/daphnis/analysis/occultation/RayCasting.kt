@@ -64,7 +64,11 @@ public class RayCasting @JvmOverloads constructor(
         )
         val p = state.population
         val caster = Caster(state, shadow)
-        for (k in 0 until p.size) caster.drop(p.x[k], p.y[k], p.z[k], p.radius[k])
+        for (k in 0 until p.size) {
+            // At low elevations few spheres leave no ray free, each by a shadow many boxes long.
+            if (caster.free == 0) break
+            caster.drop(p.x[k], p.y[k], p.z[k], p.radius[k])
+        }
         return shadow
     }
 
@@ -101,6 +105,10 @@ public class RayCasting @JvmOverloads constructor(
         private val sine = sin(elevation)
         private val cotangent = if (elevation == PI / 2) 0.0 else 1 / tan(elevation)
 
+        /** Rays that nothing has stopped yet. */
+        var free = shadow.blocked.size
+            private set
+
         fun drop(x: Double, y: Double, z: Double, r: Double) {
             val centreA = (if (isRadial) x else y) - z * cotangent * towardA
             val centreB = (if (isRadial) y else x) - z * cotangent * towardB
@@ -129,7 +137,9 @@ public class RayCasting @JvmOverloads constructor(
             var to = last(centreB + middle + half, lowB, stepB) + 1
             while (from <= to && !isWithin(pa, from, centreB, long, r)) from++
             while (to > from && !isWithin(pa, to, centreB, long, r)) to--
-            if (!wrapsB) {
+            if (wrapsB) {
+                to = minOf(to, from + countB - 1)
+            } else {
                 from = maxOf(from, 0)
                 to = minOf(to, countB - 1)
             }
@@ -138,7 +148,12 @@ public class RayCasting @JvmOverloads constructor(
                 // In one box of images.
                 val start = Math.floorMod(j, countB)
                 val end = minOf(countB, start + to - j + 1)
-                for (k in start until end) shadow.blocked[i * strideA + k * strideB] = true
+                for (k in start until end) {
+                    val ray = i * strideA + k * strideB
+                    if (shadow.blocked[ray]) continue
+                    shadow.blocked[ray] = true
+                    free--
+                }
                 j += end - start
             }
         }

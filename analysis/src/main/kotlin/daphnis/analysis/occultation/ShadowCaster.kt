@@ -51,7 +51,10 @@ internal class ShadowCaster(
         val shiftV = DoubleArray(shifts.size) { shifts[it][1] * c - shifts[it][0] * s }
         val middleX = box.lowerX + box.length(0) / 2
         val middleY = box.lowerY + box.length(1) / 2
+        val pause = maxOf(FEWEST_BETWEEN, p.size / PAUSES)
         for (k in 0 until p.size) {
+            // At low elevations few spheres leave no point free, each by many images.
+            if (k % pause == 0 && mask.isFull()) break
             var x = p.x[k] - p.z[k] * cotangent * towardX - middleX
             var y = p.y[k] - p.z[k] * cotangent * towardY - middleY
             // Into the box, first from row to row of images, then along the row.
@@ -129,5 +132,11 @@ internal class ShadowCaster(
             val to = minOf(mask.places - 1, floor((middle + half) / lattice.stepU - 0.5).toInt())
             if (from <= to) mask.block(row, from, to)
         }
+    }
+
+    private companion object {
+        /** How often it is asked whether a point is free, and between how many spheres at least. */
+        const val PAUSES = 64
+        const val FEWEST_BETWEEN = 64
     }
 }

@@ -22,6 +22,9 @@ internal class ShadowMask(val rows: Int, val places: Int) {
         bits[last] = bits[last] or tail
     }
 
+    /** Whether every point of every row is set. */
+    fun isFull(): Boolean = (0 until rows).all { blocked(it, 0, places) == places }
+
     /** How many of the points [from] until [end] of [row] are set. */
     fun blocked(row: Int, from: Int, end: Int): Int {
         if (end <= from) return 0

@@ -17,9 +17,9 @@ import kotlin.math.sqrt
  * what is seen of both waves and of their phases has the same w. So the noise is known from four series at once. The
  * innovations of a Kalman filter are fitted by least squares, its gains kept from one step of Gauss and Newton to the
  * next (Harvey 1989, Forecasting, structural time series models, ch. 3). Kinds of noise, [DrivenNoise], are weighted by
- * their likelihood: a short series does not tell which it is, and they differ in their errors. Frequencies of real waves
- * also wander as their amplitudes do. So the error of δ grows by what the memory of its innovations makes it, over
- * [LAGS] periods (Newey & West 1987, Econometrica 55, 703).
+ * their likelihood: a short series does not tell which it is, and they differ in their errors. Frequencies of real
+ * waves also wander as their amplitudes do. So the error of δ grows by what the memory of its innovations makes it,
+ * over [LAGS] periods (Newey & West 1987, Econometrica 55, 703).
  *
  * @param waves real and imaginary parts of the amplitudes by period: outward, then inward
  */

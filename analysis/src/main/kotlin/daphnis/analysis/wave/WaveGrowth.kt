@@ -145,8 +145,8 @@ public object WaveAverages {
     }
 
     /**
-     * (A² outward − A² inward)/(A² outward + A² inward): 1 for waves that go outward, 0 for standing ones. Mean NaN where
-     * [frequency] has none.
+     * (A² outward − A² inward)/(A² outward + A² inward): 1 for waves that go outward, 0 for standing ones. Mean NaN
+     * where [frequency] has none.
      */
     @JvmStatic
     public fun direction(waves: WaveAmplitudes, from: Double): BlockAverage {

@@ -42,6 +42,29 @@ class RayCastingTest {
     )
 
     @Test
+    fun `a shadow a hundred times as long as the box leaves what lies beside it`() {
+        // At 0.1° along the orbit: a strip as wide as the sphere, all along y.
+        val strip = RayCasting(Math.toRadians(0.1), PI / 2).cast(one(0.3, 2.0, 0.0, HillSheet(box, 1.0)))
+        assertEquals(1 - 2.0 / 10, strip.transmission, 2.0 / 1024)
+        assertEquals(listOf(0.0, 1.0), strip.scan().distinct().sorted())
+        val all = uniform(2_000, HillSheet(box, 1.0), radius = 0.1)
+        for (azimuth in listOf(0.0, 0.4)) {
+            val grazing = LineOfSight(Math.toRadians(0.1), azimuth)
+            assertEquals(0.0, RayCasting(grazing.elevation, azimuth).cast(all).transmission)
+            assertTrue(
+                Scan(grazing, Footprint.rectangle(2.0, 2.0), 0.3).of(all).transmission.all { track ->
+                    track.all {
+                        it ==
+                            0.0
+                    }
+                },
+            )
+        }
+    }
+
+    private val box = Box.centred(10.0, 12.0, 8.0)
+
+    @Test
     fun `one sphere shadows an ellipse of area π r² over sin B, wherever it stands and through whatever faces`() {
         val sheet = HillSheet(Box.centred(10.0, 12.0, 8.0), 1.0)
         for (elevation in listOf(PI / 2, 1.0, 0.4)) {

@@ -7,6 +7,7 @@ import daphnis.core.boundary.LeesEdwards
 import daphnis.core.hill.HillSheet
 import daphnis.core.initial.SeededRandom
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertNotNull
 import org.junit.jupiter.api.Assertions.assertNull
 import org.junit.jupiter.api.Assertions.assertThrows
@@ -154,5 +155,10 @@ class ScanTest {
                 plain.forEachIndexed { k, p -> assertTrue(mask.blocked(k, 0, 200) < 200 || p.all { on -> on }) }
             }
         }
+        val full = ShadowMask(3, 200)
+        for (row in 0 until 3) full.block(row, if (row == 1) 1 else 0, 199)
+        assertFalse(full.isFull())
+        full.block(1, 0, 0)
+        assertTrue(full.isFull())
     }
 }

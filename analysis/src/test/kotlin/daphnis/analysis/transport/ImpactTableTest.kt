@@ -1,5 +1,6 @@
 package daphnis.analysis.transport
 
+import daphnis.analysis.series.SeriesTable
 import daphnis.core.format.FormatException
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -39,5 +40,14 @@ class ImpactTableTest {
         val missing = directory.resolve("nowhere.csv")
         val e = assertThrows(FormatException::class.java) { ImpactTable.read(missing) }
         assertTrue(e.message!!.startsWith("$missing: cannot be read")) { e.message }
+    }
+
+    @Test
+    fun `bytes that are no text are named as such`() {
+        val bytes = Files.write(directory.resolve("bytes.csv"), byteArrayOf(0xC3.toByte(), 0x28, 10))
+        for (read in listOf(ImpactTable::read, SeriesTable::read)) {
+            val e = assertThrows(FormatException::class.java) { read(bytes) }
+            assertEquals("$bytes: cannot be read: is not UTF-8 text", e.message)
+        }
     }
 }

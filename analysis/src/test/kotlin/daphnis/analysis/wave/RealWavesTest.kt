@@ -9,9 +9,9 @@ import kotlin.math.sqrt
 
 /**
  * Growth and frequency in small real runs: `real-waves.txt` has the amplitudes by epicyclic period of modes 1 and 2 of
- * the scenario `overstability` with 360 steps in an orbit, seeds 1 to 24, for 40 orbits, and of the same at optical depth
- * 0.5, where nothing grows, for 60 orbits. A line is a run: optical depth, seed, mode, then real and imaginary parts
- * outward and inward, in hundredths of rΩ.
+ * the scenario `overstability` with 360 steps in an orbit, seeds 1 to 24, for 40 orbits, and of the same at optical
+ * depth 0.5, where nothing grows, for 60 orbits. A line is a run: optical depth, seed, mode, then real and imaginary
+ * parts outward and inward, in hundredths of rΩ.
  */
 class RealWavesTest {
     private class Run(val depth: Double, val mode: Int, val growth: WaveGrowth)

@@ -3,6 +3,7 @@
 package daphnis.core.format
 
 import java.io.IOException
+import java.nio.charset.CharacterCodingException
 import java.nio.file.AccessDeniedException
 import java.nio.file.DirectoryNotEmptyException
 import java.nio.file.FileAlreadyExistsException
@@ -28,6 +29,7 @@ public fun reasonOf(e: Exception, named: Path? = null): String {
         is FileSystemLoopException -> "a link leads to itself"
         is ReadOnlyFileSystemException -> "the file system is read-only"
         is FileSystemException -> e.reason
+        is CharacterCodingException -> "is not UTF-8 text"
         is IOException -> e.message
         else -> e.message
     }?.let { if ("Too many open files" in it) "$it; ulimit -n sets how many there may be" else it }

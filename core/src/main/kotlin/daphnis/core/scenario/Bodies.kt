@@ -22,7 +22,7 @@ internal class Bodies(
             check.must(key, body.mass == null || body.density == null) {
                 "has a mass and a density; one of the two is enough"
             }
-            body.mass?.let { check.positive("$key.mass", it) }
+            body.mass?.let { check.mass("$key.mass", it) }
             body.density?.let { check.positive("$key.density", it) }
             check.must("$key.density", body.mass != null || density(body) != null) {
                 "is missing; particles have materials, none of which says what this body weighs (or give mass)"

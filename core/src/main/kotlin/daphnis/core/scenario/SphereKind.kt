@@ -58,7 +58,7 @@ internal class SphereKind private constructor(
     /** Refuses what can be no density or mass. */
     fun checkMass() {
         check.positive("$key.density", density)
-        mass?.let { check.positive("$key.mass", it) }
+        mass?.let { check.mass("$key.mass", it) }
     }
 
     /** The mass of a sphere of [radius], not checked. */

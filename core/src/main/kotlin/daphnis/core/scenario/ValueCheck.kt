@@ -18,6 +18,12 @@ internal class ValueCheck(val source: String) {
         that(key, value, value > 0 && value.isFinite()) { "must be > 0" }
     }
 
+    /** A mass: one so small that it has few digits left gives sums of masses none. */
+    fun mass(key: String, value: Double) {
+        positive(key, value)
+        that(key, value, value >= LEAST_MASS) { "must be at least $LEAST_MASS" }
+    }
+
     /** A length or a radius. */
     fun extent(key: String, value: Double) {
         val range = SnapshotCheck.LEAST..SnapshotCheck.MOST
@@ -43,5 +49,6 @@ internal class ValueCheck(val source: String) {
 
     private companion object {
         const val MOST_SHOWN = 100
+        const val LEAST_MASS = 1e-290
     }
 }

@@ -12,6 +12,7 @@ import daphnis.core.parallel.FixedPool
 import daphnis.core.parallel.LoopStrategy
 import daphnis.core.parallel.ParallelLoop
 import daphnis.core.permuted
+import daphnis.core.population.Partition
 import daphnis.core.population.Population
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -90,6 +91,23 @@ class RadialGravityTest {
             gravity.useLoop(ParallelLoop(pool, LoopStrategy.DYNAMIC))
             assertArrayEquals(expected, gravity.accelerations(p, 0.0)[0])
         }
+    }
+
+    @Test
+    fun `a node asks the others each time, also where it has the answer`() {
+        var asked = 0
+        val gravity = RadialGravity(sheet, 1.0, 4)
+        gravity.partition = object : Partition by Partition.Whole {
+            override fun add(numbers: DoubleArray) {
+                asked++
+            }
+        }
+        val p = patch(20)
+        gravity.accelerations(p, 0.0)
+        val once = asked
+        gravity.accelerations(p, 0.0)
+        assertTrue(once > 0)
+        assertEquals(2 * once, asked)
     }
 
     /** A cold sheet of rows of spheres, moved along x by sin(kx) of wave [mode], and let go. */

@@ -22,8 +22,18 @@ internal class AveragedCurve(
     private val short: String,
     private val unit: String,
 ) {
-    /** Draws number k of [averages] over [x], entry k, and writes both as a table. */
-    fun write(study: Study, page: ReportPage, x: DoubleArray, averages: Averages, caption: String) {
+    /**
+     * Draws number k of [averages] over [x], entry k, with a dashed line upright at [mark], if any, and writes both as
+     * a table.
+     */
+    fun write(
+        study: Study,
+        page: ReportPage,
+        x: DoubleArray,
+        averages: Averages,
+        caption: String,
+        mark: Double? = null,
+    ) {
         val all = x.indices.map { averages.average(it) }
         val y = DoubleArray(x.size) { all[it].mean }
         val error = DoubleArray(x.size) { study.judgement.error(all[it]) }
@@ -31,7 +41,8 @@ internal class AveragedCurve(
         val axis = UnitNames.axis(argument, unit)
         // Beside a peak such as that of a whole patch nothing else would be seen.
         val log = Chart.hasPeak(y.asList())
-        val figure = Chart.lines(listOf(Curve(label, x, y, error)), axis, label, logY = log, horizontal = 1.0)
+        val curve = listOf(Curve(label, x, y, error))
+        val figure = Chart.lines(curve, axis, label, logY = log, horizontal = 1.0, vertical = mark)
         study.draw(page, figure, name, words, "$caption ${study.judgement.bars()}")
         val columns = listOf(Column(short, unit, x), Column(symbol, "", y), Column("${symbol}_error", "", error))
         Table(name, columns).write(study.tables)

@@ -51,4 +51,13 @@ internal class Bulk(state: State, input: AnalysisInput) {
         val radius = Math.cbrt(indices.map { population.radius[it].let { r -> r * r * r } }.average())
         Math.cbrt(2 * (selfGravity ?: Double.NaN) * mass / (3 * omega * omega)) / (2 * radius)
     } ?: Double.NaN
+
+    /**
+     * 26 r_h⁵ G² Σ²/Ω³ (Daisaka, Tanaka & Ida 2001, Icarus 154, 296), the total viscosity of wakes; NaN without
+     * self-gravity.
+     */
+    val viscosityOfWakes: Double = input.frequencies?.omega?.let { omega ->
+        val pull = (selfGravity ?: Double.NaN) * surfaceDensity
+        26 * Math.pow(hillRatio, 5.0) * pull * pull / (omega * omega * omega)
+    } ?: Double.NaN
 }

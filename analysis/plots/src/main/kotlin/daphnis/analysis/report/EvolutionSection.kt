@@ -12,7 +12,7 @@ import kotlin.math.sqrt
 
 /**
  * How the run went over time: from `series.csv` temperature, collision rate and energy, from `transport.csv` the
- * velocity dispersions.
+ * velocity dispersions, and with self-gravity what [GravityEvolution] shows.
  */
 internal class EvolutionSection(private val study: Study) : Section {
     private val input = study.input
@@ -46,7 +46,11 @@ internal class EvolutionSection(private val study: Study) : Section {
 
     override fun write(page: ReportPage) {
         if (series != null) series(page, SeriesPlots(series, scale, mark, across))
-        if (transport != null) dispersions(page)
+        if (transport == null) return
+        dispersions(page)
+        val constant = study.bulk.selfGravity ?: return
+        val orbits = input.frequencies ?: return
+        GravityEvolution(study, transport, orbits, mark?.let { it / scale.time }, across).write(page, constant)
     }
 
     private fun series(page: ReportPage, plots: SeriesPlots) {

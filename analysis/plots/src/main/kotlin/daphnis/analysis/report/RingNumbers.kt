@@ -131,13 +131,8 @@ internal class RingNumbers(private val study: Study, private val orbits: Orbital
             units.length,
         )
         rows.exact("hill_ratio", "r_h, mutual Hill radius over the distance in contact", bulk.hillRatio, "")
-        rows.exact("viscosity_of_wakes", "viscosity of wakes by Daisaka et al.", wakeViscosity(constant), "r² Ω", WAKES)
-    }
-
-    /** 26 r_h⁵ G² Σ²/Ω³ (Daisaka, Tanaka & Ida 2001, Icarus 154, 296), for the total viscosity of wakes. */
-    private fun wakeViscosity(constant: Double): Double {
-        val pull = constant * bulk.surfaceDensity
-        return 26 * Math.pow(bulk.hillRatio, 5.0) * pull * pull / (omega * omega * omega) / (r * r * omega)
+        val wakes = bulk.viscosityOfWakes / (r * r * omega)
+        rows.exact("viscosity_of_wakes", "viscosity of wakes by Daisaka et al.", wakes, "r² Ω", WAKES)
     }
 
     private infix fun BlockAverage.per(unit: Double) = this * (1 / unit)

@@ -23,7 +23,9 @@ internal class StructureFactorPart(private val study: Study) : Part {
         val x = DoubleArray(factor.bins) { factor.centre(it) }
         val caption = "Structure factor S(k) of wave vectors in the plane, averaged over directions; " +
             "1 for particles without correlation."
-        curve.write(study, page, x, averages, caption)
+        val critical = (2 * Math.PI / study.bulk.criticalWavelength).takeIf { it.isFinite() }
+        val mark = if (critical == null) "" else " The upright line is Toomre's critical wavelength."
+        curve.write(study, page, x, averages, caption + mark, critical)
     }
 
     private companion object {

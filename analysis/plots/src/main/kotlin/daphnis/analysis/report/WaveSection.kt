@@ -116,10 +116,12 @@ internal class WaveSection(private val study: Study) : Section {
 
     private fun wavelengths(page: ReportPage, waves: Waves) {
         val wavelength = DoubleArray(waves.periods) { waves.wavelength(waves.strongest(it)) }
+        val (reference, words) = reference(waves)
         val figure = Chart.lines(
             listOf(Curve("strongest mode", times(waves), wavelength)),
             UnitNames.axis("time", scale.timeName),
             study.lengthAxis("wavelength"),
+            horizontal = reference,
             joined = false,
         )
         study.draw(
@@ -127,8 +129,16 @@ internal class WaveSection(private val study: Study) : Section {
             figure,
             "wavelength",
             "wavelength of the strongest mode over time",
-            "Wavelength of the strongest mode by epicyclic period.",
+            "Wavelength of the strongest mode by epicyclic period.$words",
         )
+    }
+
+    /** A wavelength to compare with, and words: with self-gravity the critical one, else that which grows first. */
+    private fun reference(waves: Waves): Pair<Double?, String> {
+        val critical = study.bulk.criticalWavelength
+        if (critical > 0) return critical to " The dashed line is Toomre's critical wavelength, 4π² G Σ/κ²."
+        val first = waves.first.takeIf { waves.growth(it)?.isGrowing == true } ?: return null to ""
+        return waves.wavelength(first) to " The dashed line is the wave that grows first."
     }
 
     /** Σ(x, t) over the last periods, as the sum of all modes. */

@@ -135,6 +135,32 @@ class AnalysisTest {
     }
 
     @Test
+    fun `a patch with self-gravity shows Q and viscosity over time, beside what they are held against`() {
+        val steps = listOf("timeStep.steps=100", "untilOrbits=2", "box.lengths=[40,40,20]", "output.transportEvery=5")
+        val path = run("self-gravity-wakes", *steps.toTypedArray())
+        Analysis(AnalysisInput.ofRun(path), AnalysisOptions(from = 0.0)).write(path)
+        fun column(table: String, k: Int) = Files.readAllLines(path.resolve("tables/$table.csv")).drop(1)
+            .map { it.split(',')[k].toDouble() }
+
+        fun number(key: String) = Files.readAllLines(path.resolve("tables/numbers.csv")).map { it.split(',') }
+            .single { it[0] == key }[1].toDouble()
+        val q = column("toomre-q", 1)
+        assertEquals(41, q.size)
+        assertEquals(number("toomre_q"), Math.sqrt(q.zipWithNext { a, b -> (a * a + b * b) / 2 }.average()), 0.02)
+        assertEquals(listOf(0.5, 1.5), column("viscosity-by-orbit", 0).map { Math.rint(it * 1e6) / 1e6 })
+        val mean = column("viscosity-by-orbit", 1).average()
+        assertEquals(number("viscosity_total"), mean, 1e-6 * mean)
+        // No mark of averages, which begin with the run: the dashed line is that at Q = 1.
+        for (plot in listOf("toomre-q", "viscosity")) {
+            assertTrue("stroke-dasharray" in Files.readString(path.resolve("plots/$plot.svg"))) { plot }
+        }
+        val page = Files.readString(path.resolve("report.html"))
+        assertTrue(
+            "The upright line is Toomre&#39;s critical" in page || "The upright line is Toomre's critical" in page,
+        )
+    }
+
+    @Test
     fun `errors of a run whose sizes are drawn are said to be for its own radii`() {
         val said = "± is one standard error; numbers without it and without a mark follow from the particles " +
             "themselves. It is for the radii of this run: another seed draws others"

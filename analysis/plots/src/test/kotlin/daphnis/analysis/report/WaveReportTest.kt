@@ -74,6 +74,8 @@ class WaveReportTest {
             assertTrue(Files.exists(path.resolve("tables/$name.csv"))) { name }
         }
         assertTrue(">Waves</h2>" in html && ">Structure</h2>" in html)
+        assertTrue("The dashed line is the wave that grows first." in html)
+        assertTrue("stroke-dasharray" in Files.readString(path.resolve("plots/wavelength.svg")))
         val blocks = Files.readAllLines(path.resolve("tables/wave-blocks.csv"))
         assertEquals(7, blocks.size)
         // The root of the mean of 0.005 e^{0.4 t} over orbits 5 to 10.

@@ -1,0 +1,62 @@
+package daphnis.app.describe
+
+import daphnis.core.initial.fillingFactor
+import daphnis.core.population.granularTemperature
+import daphnis.core.scenario.ForceSpec
+import daphnis.core.scenario.GravityMethod
+import daphnis.core.scenario.ScenarioSetup
+import kotlin.math.PI
+import kotlin.math.sqrt
+
+/**
+ * How many collisions a run may have, before it is run. A ring forgets how it began: spheres of equal size have some 18
+ * τ collisions per orbit where they swing through the plane once (docs/validation.md, τ = 0.1 to 1), as many times more
+ * as they swing more often. Where the plane is as full as a liquid they have up to g times as many, g being the pair
+ * correlation of Carnahan & Starling at contact, and far more in wakes: that is the upper end of the range. Without a
+ * frame it is Enskog's rate at the start.
+ *
+ * @property least per sphere and unit of time
+ * @property most likewise
+ */
+internal class CollisionRate private constructor(val least: Double, val most: Double) {
+    companion object {
+        private const val PER_ORBIT = 18.0
+
+        /** Filling factor in the middle plane over τ ν/Ω, at τ = 0.1 to 0.5. */
+        private const val FILLING = 0.22
+
+        /** How many times as many there are in wakes: 53 and 59 at r_h = 0.9, where spheres rest on each other. */
+        private const val IN_WAKES = 60.0
+
+        /** Above this a disordered liquid does not go. */
+        private const val FULL = 0.5
+
+        fun of(setup: ScenarioSetup): CollisionRate = setup.frequencies?.let { orbits ->
+            val box = setup.boundary.box
+            val depth = setup.population.radius.sumOf { PI * it * it } / (box.length(0) * box.length(1))
+            val crossings = depth * orbits.verticalFactor
+            val clumps = setup.scenario.forces.any {
+                it is ForceSpec.SelfGravity && it.method != GravityMethod.RADIAL_MODES
+            }
+            val more = if (clumps) IN_WAKES else correlation(FILLING * crossings)
+            val rate = PER_ORBIT * crossings * orbits.omega / (2 * PI)
+            CollisionRate(rate, rate * more)
+        } ?: enskog(setup).let { if (it.isFinite()) CollisionRate(it, it) else CollisionRate(0.0, 0.0) }
+
+        private fun enskog(setup: ScenarioSetup): Double {
+            val radii = setup.population.radius
+            val box = setup.boundary.box
+            if (radii.isEmpty() || !box.volume.isFinite()) return 0.0
+            val temperature =
+                granularTemperature(setup.population, setup.boundary.meanFlow, setup.scenario.firstBody)
+            val mean = radii.average()
+            val squares = 2 * (radii.sumOf { it * it } / radii.size + mean * mean)
+            return 4 * sqrt(PI * temperature) * radii.size / box.volume * squares *
+                correlation(fillingFactor(radii, box))
+        }
+
+        /** At contact. */
+        private fun correlation(filling: Double) =
+            minOf(filling, FULL).let { (1 - it / 2) / ((1 - it) * (1 - it) * (1 - it)) }
+    }
+}
