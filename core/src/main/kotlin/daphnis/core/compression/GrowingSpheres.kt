@@ -71,12 +71,12 @@ public class GrowingSpheres @JvmOverloads constructor(
     /** The part of the box that the spheres of [population] fill; the same bits for any order of them. */
     public fun fillingFactor(population: Population): Double {
         val radius = population.radius
-        return SphereSum().of(population) { VOLUME * radius[it] * radius[it] * radius[it] } / box.volume
+        return SphereSum().of(population) { space.volume(radius[it]) } / box.volume
     }
 
     override val approach: Double get() = gamma / scale
 
-    override fun contactFaces(axis: Int): ContactFaces = ContactFaces.PERIODIC
+    override fun contactFaces(axis: Int): ContactFaces = periodic.contactFaces(axis)
 
     override fun useLoop(loop: RangeLoop) {
         this.loop = loop
@@ -111,7 +111,7 @@ public class GrowingSpheres @JvmOverloads constructor(
     private fun requireRoom(population: Population, end: Double) {
         if (population.size == 0) return
         val largest = population.radius.max() * scale
-        for (axis in 0 until AXES) {
+        for (axis in 0 until space.dimensions) {
             if (2 * largest * SLIGHTLY_MORE < box.length(axis)) continue
             gamma = 0.0
             throw IllegalArgumentException(
@@ -182,9 +182,6 @@ public class GrowingSpheres @JvmOverloads constructor(
 
         /** By how much radii may change in a step. */
         const val MOST = 0.1
-
-        /** Of a sphere of radius 1. */
-        private const val VOLUME = 4.0 / 3 * Math.PI
 
         /** Just above 1. */
         private const val SLIGHTLY_MORE = 1 + 1e-9

@@ -15,6 +15,7 @@ import daphnis.core.initial.SeededRandom
 import daphnis.core.initial.fillingFactor
 import daphnis.core.population.Population
 import daphnis.core.step.CollapseException
+import kotlin.math.sqrt
 
 /**
  * Random places of any density up to jamming: spheres so small that they fill a fifth of the box are placed at random,
@@ -24,7 +25,7 @@ import daphnis.core.step.CollapseException
  * The state is near equilibrium, not in it: at the filling factor 0.5 the pressure is 11 % above that of Carnahan &
  * Starling at first, and within 1 % of it after two diameters over the thermal speed.
  *
- * The same bits for any number of threads. Equal spheres jam at about 0.64.
+ * The same bits for any number of threads. Equal spheres jam at about 0.64, and discs crystallize.
  *
  * @param threads threads to compute on, the caller's included
  */
@@ -33,7 +34,7 @@ public class GrownPlacement @JvmOverloads constructor(private val threads: Int =
     override fun place(radii: DoubleArray, box: Box, walled: BooleanArray, random: SeededRandom): Positions {
         check(radii, box, walled)
         val filling = fillingFactor(radii, box)
-        val part = if (filling <= LOOSE) 1.0 else StrictMath.cbrt(LOOSE / filling)
+        val part = if (filling <= LOOSE) 1.0 else scale(LOOSE / filling, box)
         val small = DoubleArray(radii.size) { radii[it] * part }
         val start = RandomPlacement(threads = threads).place(small, box, walled, random)
         return if (part == 1.0) start else grown(start, radii, part, box, random)
@@ -46,15 +47,20 @@ public class GrownPlacement @JvmOverloads constructor(private val threads: Int =
     }
 
     private fun check(radii: DoubleArray, box: Box, walled: BooleanArray) {
-        if (walled.any { it }) throw PlacementException("spheres grow in a box that repeats along all axes only")
+        if ((0 until box.space.dimensions).any {
+                walled[it]
+            }
+        ) {
+            throw PlacementException("spheres grow in a box that repeats along all axes only")
+        }
         if (radii.isEmpty()) return
         val largest = radii.max()
-        for (axis in 0..2) {
+        for (axis in 0 until box.space.dimensions) {
             if (2 * largest * ROOM < box.length(axis)) continue
             throw PlacementException("a sphere of radius $largest touches its own image along ${"xyz"[axis]}")
         }
         val filling = fillingFactor(radii, box)
-        val most = if (radii.all { it == largest }) CLOSEST else 1.0
+        val most = if (radii.all { it == largest }) box.space.closestPacking else 1.0
         if (filling >=
             most
         ) {
@@ -75,7 +81,7 @@ public class GrownPlacement @JvmOverloads constructor(private val threads: Int =
         val drawn = DoubleArray(3)
         for (k in 0 until n) {
             field.draw(random, drawn)
-            for (axis in 0..2) v[axis][k] = drawn[axis]
+            for (axis in 0 until box.space.dimensions) v[axis][k] = drawn[axis]
         }
         val small = DoubleArray(n) { radii[it] * part }
         val spheres = Population(
@@ -93,7 +99,7 @@ public class GrownPlacement @JvmOverloads constructor(private val threads: Int =
             var now = part
             for (stage in STAGES) {
                 // A hair more than asked for, so that none overlap with the radii that are.
-                val goal = if (full <= stage.filling) ROOM else StrictMath.cbrt(stage.filling / full)
+                val goal = if (full <= stage.filling(box)) ROOM else scale(stage.filling(box) / full, box)
                 if (goal <= now) continue
                 grow(spheres, box, engine, goal / now, stage.rate, full)
                 now = goal
@@ -143,7 +149,13 @@ public class GrownPlacement @JvmOverloads constructor(private val threads: Int =
     ).also { if (cause != null) it.initCause(cause) }
 
     /** Up to [filling] radii grow by [rate] of what they are per unit of time. */
-    private class Stage(val filling: Double, val rate: Double)
+    private class Stage(private val filling: Double, val rate: Double) {
+        fun filling(box: Box) = if (box.space.isPlane) PLANE * filling else filling
+    }
+
+    /** Of lengths, where volumes change by the factor [ofVolumes]. */
+    private fun scale(ofVolumes: Double, box: Box): Double =
+        if (box.space.isPlane) sqrt(ofVolumes) else StrictMath.cbrt(ofVolumes)
 
     private companion object {
         /** Spheres find places at random with few tries. */
@@ -162,7 +174,7 @@ public class GrownPlacement @JvmOverloads constructor(private val threads: Int =
         const val ROOM = 1 + 1e-9
         const val LAST = 1e-12
 
-        /** Close packing of equal spheres. */
-        const val CLOSEST = 0.7405
+        /** Filling factor at which discs jam over that at which spheres do. */
+        const val PLANE = 1.3
     }
 }

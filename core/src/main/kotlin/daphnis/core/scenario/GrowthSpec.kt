@@ -74,21 +74,21 @@ internal class GrowthSetup(private val scenario: Scenario, private val check: Va
             "changes radii by more than a tenth in a step of $duration; take a smaller rate or dt"
         }
         val wide = 2 * population.radius.max() * (1 + 2 * change) * SLIGHTLY_MORE
-        check.that("growth.rate", spec.rate, (0..2).all { wide < box.length(it) }) {
+        check.that("growth.rate", spec.rate, (0 until box.space.dimensions).all { wide < box.length(it) }) {
             "makes the largest sphere touch its own image in a box of ${scenario.box.lengths}"
         }
         val now = fillingFactor(population.radius, box)
         val scale = 1 + spec.rate * (end - scenario.startTime)
         check.that("growth.rate", spec.rate, scale > 0) { "makes spheres vanish before the end at time $end" }
-        val most = if (population.radius.all { it == population.radius[0] }) CLOSEST else 1.0
+        val most = if (population.radius.all { it == population.radius[0] }) box.space.closestPacking else 1.0
         val goal = spec.untilFillingFactor
         if (goal != null) {
-            check.that("growth.untilFillingFactor", goal, goal < most) { "equal spheres fill $CLOSEST at most" }
+            check.that("growth.untilFillingFactor", goal, goal < most) { "equal ones fill $most at most" }
             check.that("growth.untilFillingFactor", goal, (goal > now) == (spec.rate > 0)) {
                 "spheres fill $now at the start, and the rate is ${spec.rate}"
             }
         } else if (spec.untilPressure == null) {
-            val last = now * scale * scale * scale
+            val last = now * if (box.space.isPlane) scale * scale else scale * scale * scale
             check.that("growth.rate", spec.rate, last < most) {
                 "makes spheres fill $last of the box by the end at time $end; give an earlier end, or " +
                     "growth.untilFillingFactor or growth.untilPressure"
@@ -101,8 +101,5 @@ internal class GrowthSetup(private val scenario: Scenario, private val check: Va
         const val PART = 0.02
 
         const val SLIGHTLY_MORE = 1 + 1e-6
-
-        /** Close packing of equal spheres, π/√18. */
-        const val CLOSEST = 0.7404804896930610
     }
 }

@@ -56,7 +56,16 @@ internal class InitialState(
             } else if (placement is PlacementSpec.Grown) {
                 check.must("bodies", scenario.bodies.isEmpty()) { "need random placement, which goes around them" }
                 val grown = GrownPlacement(scenario.engine.threadsAtStart)
-                if (isPlaced) grown.place(radii, room, walled(), stream(PLACES)) else grown.middle(radii, room, walled())
+                if (isPlaced) {
+                    grown.place(
+                        radii,
+                        room,
+                        walled(),
+                        stream(PLACES),
+                    )
+                } else {
+                    grown.middle(radii, room, walled())
+                }
             } else if (!isPlaced) {
                 Crowding.check(radii, room, walled())
                 Positions(DoubleArray(radii.size), DoubleArray(radii.size), DoubleArray(radii.size))

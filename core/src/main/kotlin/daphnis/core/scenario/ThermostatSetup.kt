@@ -42,12 +42,20 @@ internal class ThermostatSetup(
             spec.intensity!!.also { check.that("$key.intensity", it, it >= 0) { "must be at least 0" } }
         } else {
             temperature("$key.temperature", bath)
-            check.that("$key.drag", spec.drag, spec.drag > 0) { "must be greater than 0; a bath of that temperature needs it" }
+            check.that("$key.drag", spec.drag, spec.drag > 0) {
+                "must be greater than 0; a bath of that temperature needs it"
+            }
             2 * spec.drag * bath
         }
         check.must(key, intensity.isFinite()) { "makes noise of intensity $intensity; it must be finite" }
         return WhiteNoise(
-            seed, intensity, spec.drag, bath != null, spec.conserveMomentum, boundary, firstBody,
+            seed,
+            intensity,
+            spec.drag,
+            bath != null,
+            spec.conserveMomentum,
+            boundary,
+            firstBody,
         )
     }
 

@@ -88,8 +88,7 @@ class NodesAgreeTest {
     fun `a rough gas, whose spins start at none`() = assertSame("rough-gas", 3, "until=3")
 
     @Test
-    fun `discs, whose temperature is that of two components`() = 
-        assertSame("hard-discs", 3, "output={}", "until=3")
+    fun `discs, whose temperature is that of two components`() = assertSame("hard-discs", 3, "output={}", "until=3")
 
     @Test
     fun `a mixture, whose unlike spheres are rougher and stickier than like ones`() = assertSame(

@@ -84,7 +84,13 @@ class DrivenGasTest {
             val p = gas(3_000, box, 3, false)
             for (k in 0 until p.size step 2) p.mass[k] = 5.0
             val simulation =
-                Simulation(p, Periodic(box), CollisionForcing(ConstantRestitution(1.0)), FixedTimeStep(0.2), listOf(bath))
+                Simulation(
+                    p,
+                    Periodic(box),
+                    CollisionForcing(ConstantRestitution(1.0)),
+                    FixedTimeStep(0.2),
+                    listOf(bath),
+                )
             val sums = DoubleArray(2)
             var states = 0
             while (simulation.time < 30) {

@@ -1,8 +1,8 @@
 package daphnis.analysis.report
 
 import daphnis.analysis.insitu.State
-import daphnis.core.orbit.OrbitalFrequencies
 import daphnis.analysis.theory.HeatedGas
+import daphnis.core.orbit.OrbitalFrequencies
 import daphnis.core.scenario.BoundarySpec
 import daphnis.core.scenario.ForceSpec
 import daphnis.core.scenario.GuardSpec
@@ -163,17 +163,17 @@ internal object References {
     /** Whether equal spheres meet each other and nothing else: no force but [heated], no body, no guard that is felt. */
     private fun isPlain(scenario: Scenario, last: State, heated: ForceSpec? = null): Boolean =
         scenario.forces == listOfNotNull(heated) &&
-        scenario.contacts.isEmpty() &&
-        ElasticGas.isSmooth(scenario) &&
-        scenario.bodies.isEmpty() &&
-        ElasticGas.areEqual(last.population.radius) &&
-        ElasticGas.areEqual(last.population.mass) &&
-        when (val guard = scenario.guard) {
-            null, is GuardSpec.None -> true
-            // A run has resolved what is relative to a speed.
-            is GuardSpec.FloorSpeed -> (guard.relative ?: (guard.speed ?: Double.NaN).div(rms(last))) <= FELT
-            is GuardSpec.ContactDuration -> false
-        }
+            scenario.contacts.isEmpty() &&
+            ElasticGas.isSmooth(scenario) &&
+            scenario.bodies.isEmpty() &&
+            ElasticGas.areEqual(last.population.radius) &&
+            ElasticGas.areEqual(last.population.mass) &&
+            when (val guard = scenario.guard) {
+                null, is GuardSpec.None -> true
+                // A run has resolved what is relative to a speed.
+                is GuardSpec.FloorSpeed -> (guard.relative ?: (guard.speed ?: Double.NaN).div(rms(last))) <= FELT
+                is GuardSpec.ContactDuration -> false
+            }
 
     /** Root mean square of a component of the velocities. */
     private fun rms(state: State): Double {

@@ -70,7 +70,13 @@ public class Rescaling @JvmOverloads constructor(
         val now = heat / (axes * (count - 1))
         if (!(now > 0)) return
         val wanted =
-            if (this.time == 0.0) temperature else temperature + (now - temperature) * StrictMath.exp(-duration / this.time)
+            if (this.time ==
+                0.0
+            ) {
+                temperature
+            } else {
+                temperature + (now - temperature) * StrictMath.exp(-duration / this.time)
+            }
         scale(population, mean, sqrt(wanted / now))
     }
 

@@ -37,7 +37,8 @@ class ThermostatTest {
 
     private val all: Map<String, (BoundaryConditions, Int) -> Thermostat> = mapOf(
         "noise" to { f, b -> WhiteNoise(7, 0.3, boundary = f, firstBody = b) },
-        "noise that conserves momentum" to { f, b -> WhiteNoise(7, 0.3, 0.2, conservesMomentum = true, boundary = f, firstBody = b) },
+        "noise that conserves momentum" to
+            { f, b -> WhiteNoise(7, 0.3, 0.2, conservesMomentum = true, boundary = f, firstBody = b) },
         "bath" to { f, b -> WhiteNoise(7, 0.4, 0.2, overMass = true, boundary = f, firstBody = b) },
         "Andersen" to { f, b -> Andersen(7, 2.0, 1.0, conservesMomentum = true, boundary = f, firstBody = b) },
         "scaling" to { f, b -> Rescaling(2.0, 0.3, f, b) },
@@ -119,7 +120,8 @@ class ThermostatTest {
         for (parity in 0..1) {
             val mass = if (parity == 0) 1.0 else 8.0
             val of = (0 until COUNT).filter { it % 2 == parity }
-            val t = of.sumOf { mass * (p.vx[it] * p.vx[it] + p.vy[it] * p.vy[it] + p.vz[it] * p.vz[it]) } / (3 * of.size)
+            val t =
+                of.sumOf { mass * (p.vx[it] * p.vx[it] + p.vy[it] * p.vy[it] + p.vz[it] * p.vz[it]) } / (3 * of.size)
             assertEquals(1.3, t, 4 * 1.3 * sqrt(2.0 / (3 * of.size)), "mass $mass")
             assertEquals(5 * exp(-10.0), of.sumOf { p.vx[it] } / of.size, 4 * sqrt(1.3 / mass / of.size))
         }
@@ -133,7 +135,8 @@ class ThermostatTest {
         val changed = (0 until COUNT).filter { p.vx[it] != start.vx[it] }
         val chance = 1 - exp(-0.7)
         assertEquals(chance, changed.size.toDouble() / COUNT, 4 * sqrt(chance * (1 - chance) / COUNT))
-        val t = changed.sumOf { 2 * (p.vx[it] * p.vx[it] + p.vy[it] * p.vy[it] + p.vz[it] * p.vz[it]) } / (3 * changed.size)
+        val t =
+            changed.sumOf { 2 * (p.vx[it] * p.vx[it] + p.vy[it] * p.vy[it] + p.vz[it] * p.vz[it]) } / (3 * changed.size)
         assertEquals(3.0, t, 4 * 3 * sqrt(2.0 / (3 * changed.size)))
     }
 
