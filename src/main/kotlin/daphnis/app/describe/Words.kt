@@ -1,8 +1,8 @@
 package daphnis.app.describe
 
 import daphnis.app.describe.Quantities.Companion.number
-import daphnis.core.boundary.Space
 import daphnis.core.scenario.RestitutionSpec
+import daphnis.core.space.Space
 
 /** `1 sphere`, `2 spheres`. */
 internal fun spheres(count: Int, space: Space = Space.VOLUME): String =

@@ -2,7 +2,7 @@ package daphnis.analysis.profile
 
 import daphnis.analysis.insitu.PooledMeasure
 import daphnis.analysis.insitu.State
-import daphnis.core.boundary.Space
+import daphnis.core.space.Space
 import kotlin.math.PI
 import kotlin.math.abs
 import kotlin.math.asin

@@ -2,7 +2,6 @@ package daphnis.analysis.transport
 
 import daphnis.analysis.profile.VelocityEllipsoid
 import daphnis.analysis.statistics.BlockAverage
-import daphnis.core.boundary.Space
 import daphnis.core.run.TransportColumns
 import daphnis.core.run.TransportColumns.COLLISIONS
 import daphnis.core.run.TransportColumns.DISSIPATED
@@ -13,6 +12,7 @@ import daphnis.core.run.TransportColumns.SCALE_HEIGHT
 import daphnis.core.run.TransportColumns.SUM_IMPACT_SPEED
 import daphnis.core.run.TransportColumns.TIME
 import daphnis.core.run.TransportColumns.virial
+import daphnis.core.space.Space
 import daphnis.core.table.Column
 import kotlin.math.PI
 import kotlin.math.abs

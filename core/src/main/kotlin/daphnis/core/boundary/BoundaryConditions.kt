@@ -1,7 +1,9 @@
 package daphnis.core.boundary
 
+import daphnis.core.population.Kinematics
 import daphnis.core.population.MeanFlow
 import daphnis.core.population.Population
+import daphnis.core.space.Space
 import daphnis.core.surface.Roughness
 
 /**
@@ -16,12 +18,12 @@ import daphnis.core.surface.Roughness
  * Code which needs to know how a boundary behaves uses these members and never its type, so a new boundary is one new
  * file.
  */
-public interface BoundaryConditions {
+public interface BoundaryConditions : Kinematics {
     /** The box; infinite bounds on open axes. */
     public val box: Box
 
     /** Space in which particles move: the plane where the box is flat, which is then open along z. */
-    public val space: Space get() = box.space
+    override val space: Space get() = box.space
 
     /** What happens at the two faces across [axis] (0 = x, 1 = y, 2 = z). */
     public fun contactFaces(axis: Int): ContactFaces = ContactFaces.OPEN
@@ -48,7 +50,7 @@ public interface BoundaryConditions {
     /**
      * The mean flow that the boundary drives, or null when there is none. A granular temperature has to exclude it.
      */
-    public val meanFlow: MeanFlow? get() = null
+    override val meanFlow: MeanFlow? get() = null
 
     /** Coefficient of restitution of walls, in [0, 1]; used where [contactFaces] says [ContactFaces.WALL]. */
     public val wallRestitution: Double get() = 1.0

@@ -1,5 +1,7 @@
 package daphnis.core.boundary
 
+import daphnis.core.space.Space
+
 /**
  * The box of a simulation: `lower ≤ position < upper` on each axis, in units of length.
  *

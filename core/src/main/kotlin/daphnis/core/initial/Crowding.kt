@@ -1,7 +1,7 @@
 package daphnis.core.initial
 
 import daphnis.core.boundary.Box
-import daphnis.core.boundary.Space
+import daphnis.core.space.Space
 import kotlin.math.sqrt
 
 /** Refuses spheres that no search for free places can bring into a box, before a search begins. */

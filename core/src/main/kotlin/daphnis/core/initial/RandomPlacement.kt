@@ -1,12 +1,12 @@
 package daphnis.core.initial
 
 import daphnis.core.boundary.Box
-import daphnis.core.boundary.Space
 import daphnis.core.parallel.FixedPool
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.LoopStrategy
 import daphnis.core.parallel.ParallelLoop
 import daphnis.core.parallel.RangeLoop
+import daphnis.core.space.Space
 
 /**
  * Random sequential addition: spheres, the largest first, go to uniform random places until one is free. Reaches

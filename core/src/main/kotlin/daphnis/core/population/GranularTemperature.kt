@@ -2,8 +2,6 @@
 
 package daphnis.core.population
 
-import daphnis.core.boundary.BoundaryConditions
-
 /**
  * Granular temperature ⟨c²⟩/3, in the plane ⟨c²⟩/2, in (length/time)², weighted by mass, where c is the peculiar
  * velocity: the velocity minus the *measured* mean flow. Across a driven [flow] that is the straight line that fits
@@ -13,17 +11,14 @@ import daphnis.core.boundary.BoundaryConditions
  * number in `series.csv`, `summary.json` and the report, and that part of c_xx + c_yy + c_zz in `transport.csv`. Sums
  * are exact. Allocates.
  *
- * @param boundary which drives the mean flow, and whose space counts
+ * @param within says what flow is driven, and in what space
  * @param firstBody spheres with this id or a higher one are left out, such as moonlets; [Int.MAX_VALUE] for none
  */
 @JvmOverloads
 @JvmName("within")
-public fun granularTemperature(
-    population: Population,
-    boundary: BoundaryConditions,
-    firstBody: Int = Int.MAX_VALUE,
-): Double = PopulationSums(boundary.meanFlow, null, firstBody, boundary.space)
-    .apply { take(population) }.granularTemperature
+public fun granularTemperature(population: Population, within: Kinematics, firstBody: Int = Int.MAX_VALUE): Double =
+    PopulationSums(within.meanFlow, null, firstBody, within.space)
+        .apply { take(population) }.granularTemperature
 
 /** The same in three dimensions, across a driven [flow]. */
 @JvmOverloads

@@ -1,8 +1,8 @@
 package daphnis.core.population
 
-import daphnis.core.boundary.Space
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
+import daphnis.core.space.Space
 
 /**
  * Partial temperatures of a population whose spheres have materials, from exact sums ([ExactSum]), so that they are the

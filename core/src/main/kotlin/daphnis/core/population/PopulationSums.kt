@@ -1,9 +1,9 @@
 package daphnis.core.population
 
-import daphnis.core.boundary.Space
 import daphnis.core.orbit.OrbitalFrequencies
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
+import daphnis.core.space.Space
 import kotlin.math.sqrt
 
 /**

@@ -1,8 +1,8 @@
 package daphnis.core.population
 
-import daphnis.core.boundary.Space
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
+import daphnis.core.space.Space
 import daphnis.core.surface.SurfaceContact
 
 /**

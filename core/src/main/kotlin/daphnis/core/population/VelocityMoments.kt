@@ -1,8 +1,7 @@
 package daphnis.core.population
 
-import daphnis.core.boundary.BoundaryConditions
-import daphnis.core.boundary.Space
 import daphnis.core.orbit.OrbitalFrequencies
+import daphnis.core.space.Space
 import kotlin.math.sqrt
 
 /**
@@ -64,15 +63,15 @@ public class VelocityMoments private constructor(
             leastId: Int = Int.MAX_VALUE,
         ): VelocityMoments = of(population, PopulationSums(flow, frequencies, leastId))
 
-        /** The moments of [population] within [boundary], which drives the flow and whose space counts. */
+        /** The moments of [population] where flow and space are those of [within]. */
         @JvmStatic
         @JvmOverloads
         public fun within(
-            boundary: BoundaryConditions,
+            within: Kinematics,
             population: Population,
             frequencies: OrbitalFrequencies? = null,
             leastId: Int = Int.MAX_VALUE,
-        ): VelocityMoments = of(population, PopulationSums(boundary.meanFlow, frequencies, leastId, boundary.space))
+        ): VelocityMoments = of(population, PopulationSums(within.meanFlow, frequencies, leastId, within.space))
 
         private fun of(population: Population, sums: PopulationSums): VelocityMoments {
             sums.take(population)

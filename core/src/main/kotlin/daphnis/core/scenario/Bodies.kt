@@ -1,8 +1,8 @@
 package daphnis.core.scenario
 
-import daphnis.core.boundary.Space
 import daphnis.core.initial.Obstacle
 import daphnis.core.population.MeanFlow
+import daphnis.core.space.Space
 
 /** The large spheres of a scenario as columns, checked. */
 internal class Bodies(

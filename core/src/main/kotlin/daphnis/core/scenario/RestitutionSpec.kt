@@ -1,12 +1,12 @@
 package daphnis.core.scenario
 
-import daphnis.core.boundary.Space
 import daphnis.core.collision.BorderiesRestitution
 import daphnis.core.collision.BridgesRestitution
 import daphnis.core.collision.ConstantRestitution
 import daphnis.core.collision.StepRestitution
 import daphnis.core.collision.TableRestitution
 import daphnis.core.collision.ViscoelasticRestitution
+import daphnis.core.space.Space
 import daphnis.core.surface.ContactLaw
 import kotlinx.serialization.SerialName
 import kotlinx.serialization.Serializable

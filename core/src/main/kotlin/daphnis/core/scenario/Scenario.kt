@@ -1,10 +1,10 @@
 package daphnis.core.scenario
 
 import daphnis.core.Engines
-import daphnis.core.boundary.Space
 import daphnis.core.engine.EngineFactory
 import daphnis.core.parallel.ThreadHandler
 import daphnis.core.search.SearchStructure
+import daphnis.core.space.Space
 import kotlinx.serialization.EncodeDefault
 import kotlinx.serialization.ExperimentalSerializationApi
 import kotlinx.serialization.SerialName

@@ -1,8 +1,8 @@
 package daphnis.core.scenario
 
 import daphnis.core.Clock
-import daphnis.core.boundary.Space
 import daphnis.core.search.SearchStructure
+import daphnis.core.space.Space
 
 /** What a scenario as its author wrote it ([Scenario]) and as a run has it ([ResolvedScenario]) have in common. */
 public interface ScenarioParts {

@@ -1,12 +1,12 @@
 package daphnis.core.scenario
 
-import daphnis.core.boundary.Space
 import daphnis.core.format.SnapshotCheck
 import daphnis.core.initial.EqualSizes
 import daphnis.core.initial.ListedSizes
 import daphnis.core.initial.LogNormalSizes
 import daphnis.core.initial.PowerLawSizes
 import daphnis.core.initial.SizeDistribution
+import daphnis.core.space.Space
 
 /**
  * Spheres that have one distribution of sizes and one law of masses: all, or those of one material.

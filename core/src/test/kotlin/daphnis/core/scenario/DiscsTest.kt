@@ -5,13 +5,13 @@ import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.LeesEdwards
 import daphnis.core.boundary.Periodic
-import daphnis.core.boundary.Space
 import daphnis.core.boundary.Walls
 import daphnis.core.population.Population
 import daphnis.core.population.VelocityMoments
 import daphnis.core.population.granularTemperature
 import daphnis.core.population.stateDigest
 import daphnis.core.run.CollisionStatistics
+import daphnis.core.space.Space
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test

@@ -5,12 +5,12 @@ import daphnis.analysis.series.SeriesTable
 import daphnis.analysis.statistics.Steadiness
 import daphnis.analysis.transport.Transport
 import daphnis.analysis.transport.TransportTable
-import daphnis.core.boundary.Space
 import daphnis.core.population.MeanFlow
 import daphnis.core.run.SeriesColumns
 import daphnis.core.run.SeriesColumns.GRANULAR_TEMPERATURE
 import daphnis.core.run.TransportColumns
 import daphnis.core.run.TransportColumns.moment
+import daphnis.core.space.Space
 import kotlin.math.abs
 import kotlin.math.floor
 import kotlin.math.sqrt

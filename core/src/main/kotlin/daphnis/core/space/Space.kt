@@ -1,4 +1,4 @@
-package daphnis.core.boundary
+package daphnis.core.space
 
 import daphnis.core.surface.SurfaceContact
 
