@@ -44,7 +44,7 @@ class LatticePlacementTest {
 
     @Test
     fun `between walls whole spheres are inside, and touch none`() {
-        for (lattice in Lattice.entries) {
+        for (lattice in Lattice.entries.filter { !it.isPlane }) {
             val box = Box.centred(7.0, 8.0, 9.0)
             val p = LatticePlacement(lattice).place(
                 DoubleArray(50) {

@@ -98,7 +98,7 @@ class GrowthScenarioTest {
         )
         val force = """forces=[{"type": "uniform-acceleration", "acceleration": [0, 0, 1]}]"""
         assertTrue("growth: needs spheres on which" in refused(force))
-        assertTrue("growth.untilFillingFactor: is 0.75; equal spheres" in refused("growth.untilFillingFactor=0.75"))
+        assertTrue("growth.untilFillingFactor: is 0.75; equal ones" in refused("growth.untilFillingFactor=0.75"))
         assertTrue("at the start" in refused("growth.untilFillingFactor=0.1"))
         assertTrue("growth.untilPressure: is 1" in refused("growth.untilPressure=1"))
         assertTrue("growth.rate: is 0.5; makes spheres fill" in refused("growth.rate=0.5"))
