@@ -60,6 +60,7 @@ class HelfandReportTest {
             "walls" to "boundary={\"type\":\"walls\"}",
             "sheared" to "boundary={\"type\":\"lees-edwards\",\"shearRate\":0.01}",
             "forced" to noise,
+            "growing" to "growth={\"rate\":0.0001}",
             "coarse" to "output={\"transportEvery\":2}",
         )
         for ((name, setting) in others) assertNull(viscosity(name, setting), name)
