@@ -79,7 +79,8 @@ internal object NumberKeys {
     )
 
     private val all =
-        (RING + ROUGH_GAS + SELF_GRAVITY + SHEARED + MOONLET + DIFFUSION + WAVES + INFINITE + GUIDING_CENTRES + HELFAND).toSet()
+        (RING + ROUGH_GAS + SELF_GRAVITY + SHEARED + MOONLET + DIFFUSION + WAVES)
+            .plus(listOf(INFINITE, GUIDING_CENTRES, HELFAND)).toSet()
 
     /** Keys in the first column of the guide's table of numbers. */
     private fun documented(): List<String> {
