@@ -1,5 +1,7 @@
 package daphnis.analysis.report
 
+import daphnis.analysis.table.UnitNames
+import daphnis.analysis.transport.HelfandViscosity
 import daphnis.analysis.transport.Transport
 
 /** The quantities of a box without Hill's frame, at rest or sheared. */
@@ -41,7 +43,19 @@ internal class BoxNumbers(private val study: Study) {
             "",
         )
         if (flow != null && flow.rate != 0.0) sheared(transport, flow.rate)
+        atRest()
         return rows.list()
+    }
+
+    /** What the stresses of a gas at rest tell as they fluctuate. In the plane the integral of theirs has no limit. */
+    private fun atRest() {
+        val scenario = study.physics ?: return
+        if (!ElasticGas.isAtRest(scenario, study.last) || scenario.growth != null || space.isPlane) return
+        val table = study.input.transport?.from(study.from) ?: return
+        val found = HelfandViscosity.of(table, study.last.boundary.box.volume, 2 * bulk.meanRadius) ?: return
+        val note = "Einstein–Helfand, slope over lags from ${ReportText.short(found.lag / 2)} to " +
+            UnitNames.amount(ReportText.short(found.lag), units.time)
+        rows.average("viscosity_helfand", "shear viscosity η", found.average, units.of("mass/(length time)"), note)
     }
 
     private fun references(): Map<String, Reference> {

@@ -10,6 +10,7 @@ import daphnis.analysis.plot.Curve
 import daphnis.analysis.table.Column
 import daphnis.analysis.table.Table
 import daphnis.analysis.table.UnitNames
+import daphnis.analysis.theory.EnskogGas
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.format.Snapshot
 import kotlin.math.PI
@@ -92,10 +93,10 @@ internal class DiffusionSection(private val study: Study) : Section {
     private fun infinite(mean: Diffusion): NumberRow? {
         val diameter = 2 * meanRadius
         val scenario = study.physics?.takeIf { input.hasVelocities } ?: return null
-        if (!ElasticGas.isCube(scenario, study.last) || study.bulk.fillingFactor > FiniteCube.MOST_FILLED) return null
+        if (!ElasticGas.isCube(scenario, study.last) || study.bulk.fillingFactor > EnskogGas.MOST_FILLED) return null
         val mass = study.last.population.mass[0]
         val thermal = mass * study.motion.temperature.mean
-        val viscosity = FiniteCube.enskogViscosity(diameter, mass, study.bulk.fillingFactor, thermal)
+        val viscosity = EnskogGas.viscosity(diameter, mass, study.bulk.fillingFactor, thermal)
         val more = FiniteCube.correction(thermal, viscosity, study.last.boundary.box.length(0))
         val note = "D + 2.837297 kT/(6π η L), Yeh & Hummer 2004; η is Enskog's, ${ReportText.short(viscosity)}"
         val d = Diffusion(mean.value + more, mean.error, mean.from, mean.to)

@@ -13,7 +13,11 @@ internal object ElasticGas {
     private const val SAME = 1e-9
 
     /** Whether [last] is a state of such a gas, in a box that repeats along all axes. */
-    fun isSeen(scenario: Scenario, last: State): Boolean {
+    fun isSeen(scenario: Scenario, last: State): Boolean =
+        isAtRest(scenario, last) && areEqual(last.population.radius) && areEqual(last.population.mass)
+
+    /** The same of spheres that may differ in size and mass. */
+    fun isAtRest(scenario: Scenario, last: State): Boolean {
         val isElastic = scenario.impacts.all { (it.restitution as? RestitutionSpec.Constant)?.coefficient == 1.0 }
         return isElastic &&
             scenario.boundary is BoundarySpec.Periodic &&
@@ -21,9 +25,7 @@ internal object ElasticGas {
             scenario.frame == null &&
             isSmooth(scenario) &&
             scenario.forces.isEmpty() &&
-            scenario.bodies.isEmpty() &&
-            areEqual(last.population.radius) &&
-            areEqual(last.population.mass)
+            scenario.bodies.isEmpty()
     }
 
     /** Whether spheres slide on one another without friction. */

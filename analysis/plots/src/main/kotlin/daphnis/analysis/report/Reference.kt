@@ -1,6 +1,7 @@
 package daphnis.analysis.report
 
 import daphnis.analysis.insitu.State
+import daphnis.analysis.theory.EnskogGas
 import daphnis.analysis.theory.HeatedGas
 import daphnis.core.orbit.OrbitalFrequencies
 import daphnis.core.scenario.BoundarySpec
@@ -110,7 +111,7 @@ internal object References {
         )
     }
 
-    /** Collision rate and compressibility of an elastic gas of equal spheres, Carnahan & Starling 1969. */
+    /** Collision rate, compressibility and viscosity of an elastic gas of equal spheres. */
     fun ofElastic(
         scenario: Scenario,
         last: State,
@@ -128,7 +129,14 @@ internal object References {
         return mapOf(
             "collisions_per_particle" to Reference(rate, STATE_BOUND / 3 * rate, CARNAHAN),
             "compressibility" to Reference(compressibility, STATE_BOUND / 3 * compressibility, CARNAHAN),
-        )
+        ) + ofViscosity(last, filling, temperature)
+    }
+
+    private fun ofViscosity(last: State, filling: Double, temperature: Double): Map<String, Reference> {
+        if (filling > EnskogGas.MOST_FILLED) return emptyMap()
+        val mass = last.population.mass[0]
+        val viscosity = EnskogGas.viscosity(2 * last.population.radius[0], mass, filling, mass * temperature)
+        return mapOf("viscosity_helfand" to Reference(viscosity, ENSKOG_BOUND / 3 * viscosity, ENSKOG))
     }
 
     /** Temperature and a₂ of a gas that white noise heats, van Noije & Ernst 1998. */
@@ -196,6 +204,8 @@ internal object References {
      */
     private const val HEATED_BOUND = 0.05
     private const val CUMULANT_BOUND = 0.002
+    private const val ENSKOG = "Enskog, Chapman & Cowling 1970"
+    private const val ENSKOG_BOUND = 0.1
     private const val CARNAHAN = "Carnahan & Starling 1969"
     private const val HENDERSON = "Henderson 1975"
 

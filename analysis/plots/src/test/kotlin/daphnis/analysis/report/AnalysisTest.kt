@@ -197,7 +197,7 @@ class AnalysisTest {
         val known = ReferenceTest.sheared().keys
         assertTrue(known.size == 3 && NumberKeys.SHEARED.containsAll(known)) { "$known" }
         val gas = ReferenceTest.elastic().keys
-        assertTrue(gas.size == 2 && NumberKeys.GAS.containsAll(gas)) { "$gas" }
+        assertTrue(gas.size == 3 && (NumberKeys.GAS + NumberKeys.HELFAND).containsAll(gas)) { "$gas" }
         val open = run("cooling-gas", "until=0.2", "boundary={\"type\":\"open\"}", "particles.count=200")
         Analysis(AnalysisInput.ofRun(open)).write(open)
         assertTrue("granular_temperature" in NumberKeys.of(open))

@@ -62,6 +62,7 @@ internal object NumberKeys {
         "wave_growth_rate",
         "wave_growth_frequency",
     )
+    const val HELFAND = "viscosity_helfand"
     private const val INFINITE = "self_diffusion_infinite_box"
     private const val GUIDING_CENTRES = "guiding_centre_diffusion"
 
@@ -78,7 +79,8 @@ internal object NumberKeys {
     )
 
     private val all =
-        (RING + ROUGH_GAS + SELF_GRAVITY + SHEARED + MOONLET + DIFFUSION + WAVES + INFINITE + GUIDING_CENTRES).toSet()
+        (RING + ROUGH_GAS + SELF_GRAVITY + SHEARED + MOONLET + DIFFUSION + WAVES)
+            .plus(listOf(INFINITE, GUIDING_CENTRES, HELFAND)).toSet()
 
     /** Keys in the first column of the guide's table of numbers. */
     private fun documented(): List<String> {

@@ -55,8 +55,8 @@ class ReferenceTest {
         ) {
             assertEquals(emptyMap<String, Reference>(), sheared(other)) { other }
         }
-        assertEquals(2, elastic().size)
-        assertEquals(2, elastic("roughness={\"type\":\"smooth\"}").size)
+        assertEquals(3, elastic().size)
+        assertEquals(3, elastic("roughness={\"type\":\"smooth\"}").size)
         for (
         other in listOf(
             "restitution.coefficient=0.99",
