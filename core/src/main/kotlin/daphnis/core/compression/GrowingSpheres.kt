@@ -33,7 +33,7 @@ import kotlin.math.sqrt
  *   shrink
  * @property from the time at which radii were those from which [rate] counts
  * @property thermostat whether peculiar velocities are multiplied by one factor at the end of each step, so that their
- *   energy is what it was at its start, and the mean velocity is 0
+ *   energy is what it was at its start, and the mean velocity is 0; not while [reducedPressure] cannot be known
  * @throws IllegalArgumentException for a box that is not finite, or a rate that is 0 or not finite
  */
 public class GrowingSpheres @JvmOverloads constructor(
@@ -62,7 +62,7 @@ public class GrowingSpheres @JvmOverloads constructor(
 
     /**
      * The reduced pressure Z = P V/(N kT) in the last step, from the energy that growing spheres gave to the gas: dE = 3 N kT
-     * (Z − 1) da/a. NaN before the first step, with fewer than two spheres, where nothing moves, and where radii grow by less than their
+     * (Z − 1) da/a. NaN before the first step, with fewer than two spheres, where none moves relative to the others, and where radii grow by less than their
      * rounding. It holds for elastic collisions only.
      */
     public var reducedPressure: Double = Double.NaN
@@ -97,7 +97,7 @@ public class GrowingSpheres @JvmOverloads constructor(
         }
         scale = 1 + gamma * duration
         requireRoom(population, start + duration)
-        energyBefore = energy(population)
+        energyBefore = energy(population, gamma)
         loop.runLight(population.size) { _, first, end ->
             for (axis in 0 until AXES) {
                 val x = population.position(axis)
@@ -139,6 +139,7 @@ public class GrowingSpheres @JvmOverloads constructor(
 
     override fun afterDrift(population: Population, end: Double, duration: Double) {
         val by = scale
+        val rateBefore = gamma
         gamma = 0.0
         scale = 1.0
         population.sets.separateRadii()
@@ -146,12 +147,12 @@ public class GrowingSpheres @JvmOverloads constructor(
         loop.runLight(population.size) { _, first, last ->
             for (k in first until last) radius[k] *= by
         }
-        val energy = energy(population)
+        val energy = energy(population, rateBefore)
         val n = population.size
-        val isKnown = n > 1 && energyBefore > 0 && by != 1.0
+        val isKnown = energyBefore > 0 && energy > 0 && by != 1.0
         val work = StrictMath.log(energy / energyBefore) / (2 * StrictMath.log(by))
         reducedPressure = if (isKnown) 1 + (n - 1.0) / n * work else Double.NaN
-        if (!thermostat || !(energyBefore > 0)) return
+        if (!thermostat || !(energyBefore > 0 && energy > 0)) return
         val factor = sqrt(energyBefore / energy)
         loop.runLight(n) { _, first, last ->
             for (axis in 0 until AXES) {
@@ -164,17 +165,23 @@ public class GrowingSpheres @JvmOverloads constructor(
 
     private val means = DoubleArray(AXES)
 
-    /** That of velocities around their mean, which is in [means] afterwards; the same bits for any order of spheres. */
-    private fun energy(population: Population): Double {
+    /**
+     * That of velocities around their mean, which is in [means] afterwards; the same bits for any order of spheres. 0 where
+     * it is lost in the rounding of the energy of all, or of the velocities of a step with the rate [gamma].
+     */
+    private fun energy(population: Population, gamma: Double): Double {
         fold.over(population, loop) { fold.first(sums) }
         val mass = sums.mass
-        var energy = sums.kineticEnergy
+        val total = sums.kineticEnergy
+        var energy = total
         for (axis in 0 until AXES) {
             val momentum = sums.momentum(axis)
             means[axis] = if (mass > 0) momentum / mass else 0.0
             energy -= momentum * means[axis] / 2
         }
-        return energy
+        val widest = (0 until space.dimensions).maxOf { abs(gamma) * box.length(it) }
+        val rounding = maxOf(LOST * total, LOST_IN_FLOW * mass * widest * widest)
+        return if (population.size > 1 && energy > rounding) energy else 0.0
     }
 
     internal companion object {
@@ -182,6 +189,10 @@ public class GrowingSpheres @JvmOverloads constructor(
 
         /** By how much radii may change in a step. */
         const val MOST = 0.1
+
+        /** Below these parts of the kinetic energy, and of that of speeds γL, peculiar energies are rounding. */
+        private const val LOST = 1e-12
+        private const val LOST_IN_FLOW = 1e-20
 
         /** Just above 1. */
         private const val SLIGHTLY_MORE = 1 + 1e-9

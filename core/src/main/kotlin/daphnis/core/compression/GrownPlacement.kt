@@ -30,7 +30,7 @@ import kotlin.math.sqrt
  * @param threads threads to compute on, the caller's included
  */
 public class GrownPlacement @JvmOverloads constructor(private val threads: Int = 1) : Placement {
-    /** @throws PlacementException also for walls, and when spheres jam before they have their radii */
+    /** @throws PlacementException also for walls, and when spheres jam before they have their radii, or cannot have them */
     override fun place(radii: DoubleArray, box: Box, walled: BooleanArray, random: SeededRandom): Positions {
         check(radii, box, walled)
         val filling = fillingFactor(radii, box)
@@ -60,11 +60,18 @@ public class GrownPlacement @JvmOverloads constructor(private val threads: Int =
             throw PlacementException("a sphere of radius $largest touches its own image along ${"xyz"[axis]}")
         }
         val filling = fillingFactor(radii, box)
-        val most = if (radii.all { it == largest }) box.space.closestPacking else 1.0
-        if (filling >=
-            most
-        ) {
-            throw PlacementException("the filling factor would be $filling; spheres fill $most at most")
+        val what = if (box.space.isPlane) "discs" else "spheres"
+        val equal = radii.all { it == largest }
+        val most = if (equal) box.space.closestPacking else 1.0
+        if (filling >= most) {
+            throw PlacementException("the filling factor would be $filling; $what fill $most at most")
+        }
+        val reached = if (box.space.isPlane) MOST_DISCS else MOST_SPHERES
+        if (equal && filling > reached) {
+            throw PlacementException(
+                "the filling factor would be $filling; equal $what that grow jam at $reached or before; " +
+                    "use a lattice above that",
+            )
         }
     }
 
@@ -138,7 +145,8 @@ public class GrownPlacement @JvmOverloads constructor(private val threads: Int =
                 jam(boundary.fillingFactor(spheres), full, e)
             }
             val pressure = boundary.reducedPressure
-            if (pressure > JAMMED) jam(boundary.fillingFactor(spheres), full, null)
+            val work = forcing.counters.collisions / maxOf(1, spheres.size)
+            if (pressure > JAMMED || work > MOST_WORK) jam(boundary.fillingFactor(spheres), full, null)
             dt = minOf(LONGEST, MOST_GROWTH / rate)
             if (pressure > 1) dt = minOf(dt, MOST_HEATING / (rate * pressure))
         }
@@ -170,6 +178,13 @@ public class GrownPlacement @JvmOverloads constructor(private val threads: Int =
 
         /** Reduced pressure at which spheres are jammed for all that matters here. */
         const val JAMMED = 1e4
+
+        /** Collisions per sphere in a stage; with pressures that diverge as 3/(1 − φ/φ_J) up to [JAMMED] it has some 5,000. */
+        const val MOST_WORK = 50_000
+
+        /** Filling factors above which equal ones do not come. */
+        const val MOST_SPHERES = 0.65
+        const val MOST_DISCS = 0.9
 
         const val ROOM = 1 + 1e-9
         const val LAST = 1e-12

@@ -59,7 +59,7 @@ internal object Crowding {
 
     private fun refuse(filling: Double, limit: String, space: Space): Nothing = throw PlacementException(
         "the ${if (space.isPlane) "area fraction" else "filling factor"} would be $filling; $limit, " +
-            "and random placement reaches about ${reached(space)}; use a lattice above that",
+            "and random placement reaches about ${reached(space)}; use placement grown or a lattice above that",
     )
 
     /** What random placement reaches, of equal spheres or discs. */

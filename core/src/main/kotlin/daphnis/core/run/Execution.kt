@@ -5,6 +5,7 @@ import daphnis.core.OutputState
 import daphnis.core.cluster.FleetException
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.compression.GrowingSpheres
+import daphnis.core.step.CollapseException
 import java.io.IOException
 import java.util.function.BooleanSupplier
 
@@ -88,11 +89,20 @@ internal class Execution(
             throw RunException("$step${e.message}", e)
         } catch (e: Exception) {
             keepStateBefore(e)
-            throw RunException("step ${simulation.step + 1}: ${e.message ?: e.javaClass.name}", e)
+            throw RunException("step ${simulation.step + 1}: ${reason(e)}", e)
         } catch (e: Error) {
             keepStateBefore(e)
             throw e
         }
+    }
+
+    /** Spheres that grow and collide without end are jammed, and the state is still that before the step. */
+    private fun reason(e: Exception): String {
+        val growth = simulation.boundary as? GrowingSpheres
+        if (growth == null || e !is CollapseException) return e.message ?: e.javaClass.name
+        val filling = growth.fillingFactor(simulation.population)
+        return "jammed at a filling factor of $filling, where they collide without end; end the run before, " +
+            "with growth.untilFillingFactor or growth.untilPressure"
     }
 
     private fun keepStateBefore(e: Throwable) {

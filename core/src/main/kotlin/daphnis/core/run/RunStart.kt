@@ -6,10 +6,12 @@ import daphnis.core.TimeStep
 import daphnis.core.engine.EngineFactory
 import daphnis.core.format.reasonOf
 import daphnis.core.scenario.FrameSetup
+import daphnis.core.scenario.GrowthSetup
 import daphnis.core.scenario.InputException
 import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.ScenarioJson
 import daphnis.core.scenario.ScenarioSetup
+import daphnis.core.scenario.ValueCheck
 import daphnis.core.scenario.TimeStepSpec
 import daphnis.core.scenario.warnings
 import daphnis.core.scenario.wrongArgument
@@ -106,6 +108,11 @@ private fun resumed(
     val source = directory.scenario.toString()
     requireLaterEnd(until, changes, scenario, checkpoint?.meta?.time ?: 0.0, source)
     val setup = ScenarioSetup.of(scenario, source, checkpoint?.population)
+    checkpoint?.let {
+        val step = setup.timeStep.next(setup.population)
+        GrowthSetup(scenario, ValueCheck(source))
+            .checkEnd(setup.population, setup.boundary.box, step, it.meta.time, setup.scenario.end)
+    }
     val plan = planOf(setup, checkpoint?.meta, source, engines, own)
     val text = ScenarioJson.write(written)
     return goingOn(directory, plan, text, checkpoints, good, lock, notices) {

@@ -6,7 +6,10 @@ import daphnis.core.compression.GrowingSpheres
 import daphnis.core.initial.fillingFactor
 import daphnis.core.population.Population
 import kotlinx.serialization.Serializable
+import java.util.Locale
 import kotlin.math.abs
+import kotlin.math.cbrt
+import kotlin.math.sqrt
 
 /**
  * All spheres grow in proportion while they collide, see [GrowingSpheres]. The run ends when the first of its ends is
@@ -77,24 +80,54 @@ internal class GrowthSetup(private val scenario: Scenario, private val check: Va
         check.that("growth.rate", spec.rate, (0 until box.space.dimensions).all { wide < box.length(it) }) {
             "makes the largest sphere touch its own image in a box of ${scenario.box.lengths}"
         }
-        val now = fillingFactor(population.radius, box)
-        val scale = 1 + spec.rate * (end - scenario.startTime)
-        check.that("growth.rate", spec.rate, scale > 0) { "makes spheres vanish before the end at time $end" }
-        val most = if (population.radius.all { it == population.radius[0] }) box.space.closestPacking else 1.0
         val goal = spec.untilFillingFactor
         if (goal != null) {
+            val what = if (box.space.isPlane) "discs" else "spheres"
+            val now = fillingFactor(population.radius, box)
+            val most = most(population, box)
             check.that("growth.untilFillingFactor", goal, goal < most) { "equal ones fill $most at most" }
             check.that("growth.untilFillingFactor", goal, (goal > now) == (spec.rate > 0)) {
-                "spheres fill $now at the start, and the rate is ${spec.rate}"
+                "$what fill $now at the start, and the rate is ${spec.rate}"
             }
-        } else if (spec.untilPressure == null) {
-            val last = now * if (box.space.isPlane) scale * scale else scale * scale * scale
-            check.that("growth.rate", spec.rate, last < most) {
-                "makes spheres fill $last of the box by the end at time $end; give an earlier end, or " +
+        }
+        checkEnd(population, box, duration, scenario.startTime, end)
+    }
+
+    /**
+     * Checks that [population], at time [now], can have the radii of the time [end], in steps of [duration]. Spheres that
+     * shrink do so the faster the smaller they are.
+     */
+    fun checkEnd(population: Population, box: Box, duration: Double, now: Double, end: Double) {
+        if (spec == null || spec.rate == 0.0 || population.size == 0 || end <= now) return
+        fun scaleAt(time: Double) = 1 + spec.rate * (time - scenario.startTime)
+        val what = if (box.space.isPlane) "discs" else "spheres"
+        val scale = scaleAt(end) / scaleAt(now)
+        val filling = fillingFactor(population.radius, box)
+        val goal = spec.untilFillingFactor
+        if (goal == null) {
+            check.that("growth.rate", spec.rate, scale > 0) { "makes $what vanish before the end at time $end" }
+        }
+        if (spec.rate < 0) {
+            // Over the radii at the start, when the last step begins.
+            val least = if (goal == null) 0.0 else scaleAt(now) * (if (box.space.isPlane) sqrt(goal / filling) else cbrt(goal / filling))
+            val last = maxOf(scaleAt(end - minOf(duration, end - now)), least)
+            val change = abs(spec.rate) * duration / last
+            check.that("growth.rate", spec.rate, change <= GrowingSpheres.MOST) {
+                "shrinks radii by ${"%.2g".format(Locale.ROOT, change)} of what they are in the last step of $duration; " +
+                    "a tenth is the most; take a smaller dt or an earlier end"
+            }
+        } else if (goal == null && spec.untilPressure == null) {
+            val last = filling * if (box.space.isPlane) scale * scale else scale * scale * scale
+            check.that("growth.rate", spec.rate, last < most(population, box)) {
+                "makes $what fill $last of the box by the end at time $end; give an earlier end, or " +
                     "growth.untilFillingFactor or growth.untilPressure"
             }
         }
     }
+
+    /** Filling factor that [population] cannot exceed. */
+    private fun most(population: Population, box: Box) =
+        if (population.radius.all { it == population.radius[0] }) box.space.closestPacking else 1.0
 
     private companion object {
         /** By how much radii grow at most in a step of which the scenario does not say how long it is. */

@@ -258,6 +258,37 @@ class GrowingSpheresTest {
     }
 
     @Test
+    fun `one sphere, and a few at rest or in one flight, tell no pressure and stay finite`() {
+        for (count in 1..3) {
+            for (rate in listOf(-1.0, 0.01, 0.3, 10.0)) {
+                for (speed in listOf(0.0, 1.0, 1e3)) {
+                    val spheres = Array(count) { Sphere(-7.0 + 5 * it, 2.1, 3.3, speed, -0.7 * speed, r = 0.1) }
+                    val boundary = growing(rate, thermostat = true)
+                    val simulation = simulationOf(populationOf(*spheres), boundary, 0.01)
+                    repeat(20) {
+                        simulation.advance()
+                        val p = simulation.population
+                        assertTrue(boundary.reducedPressure.isNaN()) { "$count, $rate, $speed" }
+                        assertTrue((0..2).all { p.position(it).all(Double::isFinite) })
+                        assertEquals(speed, p.speed(0, 0), 1e-9 * (speed + abs(rate)))
+                    }
+                }
+            }
+        }
+    }
+
+    @Test
+    fun `two spheres in motion relative to each other have a pressure and keep their energy`() {
+        val boundary = growing(0.3, thermostat = true)
+        val simulation = simulationOf(populationOf(Sphere(-3.0, 0.0, 0.0, 1e-3), Sphere(3.0)), boundary, 0.1)
+        repeat(10) {
+            simulation.advance()
+            assertEquals(1.0, boundary.reducedPressure, 1e-9)
+            assertEquals(5e-4, abs(simulation.population.speed(0, 0)), 1e-15)
+        }
+    }
+
+    @Test
     fun `radii count from the time that is given, and kicks act on true velocities`() {
         val boundary = growing(0.1, from = -10.0)
         assertEquals(2.0, boundary.scaleAt(0.0), 1e-15)

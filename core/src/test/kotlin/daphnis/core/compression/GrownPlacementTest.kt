@@ -80,7 +80,9 @@ class GrownPlacementTest {
                 GrownPlacement().place(radii, box, walled, SeededRandom(5))
             }.message!!
         val radii = radii(60)
-        assertTrue("jam" in message(radii, boxOf(radii, 0.72)))
+        assertTrue("that grow jam at 0.65" in message(radii, boxOf(radii, 0.66)))
+        assertTrue("growing spheres jam" in message(radii(60, 3), boxOf(radii(60, 3), 0.8)))
+        assertTrue("discs that grow jam at 0.9" in message(radii, Box.flat(20.0, 10.4)))
         assertTrue("0.7405" in message(radii, boxOf(radii, 0.75)))
         assertTrue("walls" !in message(radii, boxOf(radii, 0.75)))
         assertTrue("repeats" in message(radii, boxOf(radii, 0.3), BooleanArray(3) { it == 2 }))

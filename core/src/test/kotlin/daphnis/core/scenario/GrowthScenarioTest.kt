@@ -78,6 +78,18 @@ class GrowthScenarioTest {
     }
 
     @Test
+    fun `a resume to where spheres jam or vanish is refused as a start is`() {
+        fun refused(rate: String, until: Double): String {
+            val directory = home.resolve("rate$rate")
+            Run.start(scenario("growth.rate=$rate"), "test", directory).toStep(Long.MAX_VALUE)
+            return assertThrows(InputException::class.java) { Run.resume(directory, until).close() }.message.orEmpty()
+        }
+        refused("0.1", 6.0).let { assertTrue("makes spheres fill 0.8" in it) { it } }
+        refused("-0.1", 11.0).let { assertTrue("vanish" in it) { it } }
+        Run.resume(home.resolve("rate0.1"), 2.5).use { assertTrue(it.execute().finished) }
+    }
+
+    @Test
     fun `a rate of 0 is a run without growth, and steps without a length are no longer than growth allows`() {
         assertTrue(Surroundings.of(scenario("growth.rate=0"), "test").boundary is Periodic)
         assertTrue(ScenarioSetup.of(scenario(), "test").boundary is GrowingSpheres)
@@ -104,6 +116,9 @@ class GrowthScenarioTest {
         assertTrue("growth.rate: is 0.5; makes spheres fill" in refused("growth.rate=0.5"))
         assertTrue("vanish" in refused("growth.rate=-0.6"))
         assertTrue("growth.rate" in refused("growth.rate=1e999"))
+        // γ = 0.45/(1 − 0.45 · 1.9) in the last step.
+        assertTrue("growth.rate: is -0.45; shrinks radii by 0.31 of" in refused("growth.rate=-0.45"))
+        ScenarioSetup.of(scenario("growth.rate=-0.45", "growth.untilFillingFactor=0.1"), "test")
         val goal = "growth.untilPressure=1000"
         assertTrue("growth.rate: is 1.1; changes radii by more" in refused("growth.rate=1.1", goal))
         assertTrue("growth.rate" in refused(goal, "box.lengths=[250, 4, 1.21]", "particles.count=20"))
