@@ -2,6 +2,7 @@ package daphnis.core.boundary
 
 import kotlin.math.abs
 import kotlin.math.floor
+import kotlin.math.sqrt
 
 /**
  * How a wall moves along its normal: its displacement from the face of the box along the axis across it, as a function
@@ -190,12 +191,46 @@ internal fun BoundaryConditions.roomAt(time: Double): Box {
         val at = if (face and 1 == 0) box.lower(face shr 1) else box.upper(face shr 1)
         return at + (wallMotion(face)?.displacement(time) ?: 0.0)
     }
-    return Box(face(0), face(2), face(4), face(1), face(3), face(5))
+    return Box(face(0), face(2), face(4), face(1), face(3), face(5), space)
 }
 
 /** The least distance of the walls across [axis] in the time [from] until [to], or less. */
 internal fun BoundaryConditions.leastRoom(axis: Int, from: Double, to: Double): Double {
-    val lower = wallMotion(2 * axis)?.let { it.highest(it.phase(from), to - from) } ?: 0.0
-    val upper = wallMotion(2 * axis + 1)?.let { it.lowest(it.phase(from), to - from) } ?: 0.0
-    return (box.upper(axis) + upper) - (box.lower(axis) + lower)
+    val lower = wallMotion(2 * axis)
+    val upper = wallMotion(2 * axis + 1)
+    val shrinks = if (lower != null && upper != null) togetherAtLeast(lower, upper, from, to) else null
+    if (shrinks != null) return box.upper(axis) - box.lower(axis) + shrinks
+    val rises = lower?.let { it.highest(it.phase(from), to - from) } ?: 0.0
+    val falls = upper?.let { it.lowest(it.phase(from), to - from) } ?: 0.0
+    return (box.upper(axis) + falls) - (box.lower(axis) + rises)
+}
+
+/**
+ * The least of [upper] minus [lower] where they move alike, so that it is more than when each is where it comes nearest:
+ * sines of one frequency, other motions which differ in their amplitudes alone, and steady ones. Otherwise null.
+ */
+private fun togetherAtLeast(lower: WallMotion, upper: WallMotion, from: Double, to: Double): Double? {
+    if (lower is WallMotion.Steady && upper is WallMotion.Steady) {
+        val rate = upper.velocity - lower.velocity
+        return minOf(rate * from, rate * to)
+    }
+    if (lower !is WallMotion.Periodic ||
+        upper !is WallMotion.Periodic ||
+        lower.frequency != upper.frequency
+    ) {
+        return null
+    }
+    val behind = upper.phase - lower.phase
+    val more = lower.amplitude - upper.amplitude
+    val areSines = lower is WallMotion.Sine && upper is WallMotion.Sine
+    val areAlike = behind == Math.rint(behind) &&
+        if (lower is WallMotion.Sawtooth) {
+            upper is WallMotion.Sawtooth && lower.rise == upper.rise
+        } else {
+            areSines || lower is WallMotion.BiParabolic && upper is WallMotion.BiParabolic
+        }
+    if (areAlike) return -abs(more)
+    if (!areSines) return null
+    val half = StrictMath.sin(Math.PI * behind)
+    return -sqrt(more * more + 4 * lower.amplitude * upper.amplitude * half * half)
 }

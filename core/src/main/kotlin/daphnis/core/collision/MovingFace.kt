@@ -32,6 +32,9 @@ internal class MovingFace(private val isLower: Boolean, private val motion: Wall
     private var grain = 0.0
     private var grainOfPieces = 0.0
 
+    /** A time that is short for the step and for the motion, see [rebound]. */
+    private var moment = 0.0
+
     /** The strongest acceleration towards the wall, relative to it, in any step; 0 when there is none. */
     val press: Double = maxOf(0.0, (motion?.strongest ?: 0.0) - inward * gravity)
 
@@ -40,6 +43,7 @@ internal class MovingFace(private val isLower: Boolean, private val motion: Wall
         this.place = place
         this.duration = duration
         phase = motion?.phase(start) ?: 0.0
+        moment = if (periodic == null) duration else minOf(duration, PART_OF_CYCLE / periodic.frequency)
         grain = duration * GRAIN
         grainOfPieces = grain + (if (periodic == null) 0.0 else GRAIN / periodic.frequency)
     }
@@ -144,22 +148,29 @@ internal class MovingFace(private val isLower: Boolean, private val motion: Wall
     fun leaving(speed: Double, t: Double): Double = velocity(t) + inward * speed + 0.0
 
     /**
-     * The speed of a sphere that leaves at [t], where the law of the wall says [speed], unless it would be back so soon
-     * that bounces on the way to rest have no end: see docs/physics.md.
+     * The speed of a sphere of radius [r] that leaves at [t], where the law of the wall says [speed], unless it would be
+     * back so soon that bounces on the way to rest have no end: see docs/physics.md. Long steps add nothing: the time
+     * to be back is short for the cycle of the wall too, and for the height of a radius.
      *
      * @param restitution of the wall: 1 for elastic bounces
      */
-    fun rebound(speed: Double, restitution: Double, t: Double): Double {
+    fun rebound(speed: Double, restitution: Double, r: Double, t: Double): Double {
         if (press == 0.0) return speed
-        val least = (if (restitution == 1.0) LEAST_ELASTIC else LEAST_INELASTIC) * press * duration
-        return maxOf(speed, least, VELOCITY_ROUNDING * abs(velocity(t)))
+        val gain = minOf(press * moment, sqrt(press * r))
+        return apart(maxOf(speed, (if (restitution == 1.0) LEAST_ELASTIC else LEAST_INELASTIC) * gain), t)
     }
+
+    /** [speed], or the least that can be told from the velocity of the wall at [t]. */
+    fun apart(speed: Double, t: Double): Double = maxOf(speed, VELOCITY_ROUNDING * abs(velocity(t)))
 
     private companion object {
         const val GRAIN = 1e-15
         const val ALMOST = 1 - 1e-12
 
-        /** Relative to the change of speed in a step, by the acceleration towards the wall. */
+        /** That speeds which follow from it are small for those of the wall. */
+        const val PART_OF_CYCLE = 1.0 / 64
+
+        /** Relative to the change of speed in that time, by the acceleration towards the wall. */
         const val LEAST_INELASTIC = 1.0 / 16
         const val LEAST_ELASTIC = 1e-3
         const val VELOCITY_ROUNDING = 1e-15

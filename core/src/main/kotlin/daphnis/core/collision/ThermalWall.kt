@@ -3,6 +3,7 @@ package daphnis.core.collision
 import daphnis.core.collision.StepRows.Companion.STRIDE
 import daphnis.core.collision.StepRows.Companion.VX
 import daphnis.core.random.CounterRandom
+import daphnis.core.space.Space
 import kotlin.math.sqrt
 
 /**
@@ -10,7 +11,12 @@ import kotlin.math.sqrt
  * is drawn follows from the seed, the face, the id of the sphere and the time of the impact to the bit, so that it is
  * the same in every engine, on every node and in a run that is resumed.
  */
-internal class ThermalWall(private val face: Int, private val temperature: Double, seed: Long) {
+internal class ThermalWall(
+    private val face: Int,
+    private val temperature: Double,
+    private val space: Space,
+    seed: Long,
+) {
     private val ofSteps = CounterRandom(seed)
 
     /** The seed of the present step. */
@@ -29,7 +35,13 @@ internal class ThermalWall(private val face: Int, private val temperature: Doubl
         val sigma = sqrt(temperature / rows.mass[slot])
         val axis = face shr 1
         var word = 0
-        for (k in 0..2) if (k != axis) rows.state[slot * STRIDE + VX + k] = sigma * random.gaussian(word++)
+        for (k in 0 until space.dimensions) {
+            if (k !=
+                axis
+            ) {
+                rows.state[slot * STRIDE + VX + k] = sigma * random.gaussian(word++)
+            }
+        }
         return sigma * sqrt(-2.0 * StrictMath.log(random.uniform(word)))
     }
 

@@ -65,7 +65,8 @@ public class WallContact {
             val axis = face shr 1
             restitution[face] = boundary.wallRestitution(face)
             roughness[face] = boundary.wallRoughness(face)
-            thermal[face] = boundary.wallTemperature(face)?.let { ThermalWall(face, it, boundary.wallSeed) }
+            thermal[face] =
+                boundary.wallTemperature(face)?.let { ThermalWall(face, it, boundary.space, boundary.wallSeed) }
             val motion = boundary.wallMotion(face)
             val rests = acceleration[axis] == 0.0 && motion == null
             moving[face] = if (rests || !walled[axis]) null else MovingFace(face and 1 == 0, motion, acceleration[axis])
@@ -141,7 +142,13 @@ public class WallContact {
         if (speed < 0.0) return
         val coefficient = if (wall == null) restitution[face] else guarded(rows, slot, face, speed, time)
         val leaving = alongWall(rows, slot, face, speed, coefficient, time, outcome)
-        rows.state[v] = wall?.leaving(wall.rebound(leaving, coefficient, time), time) ?: (inward * leaving + 0.0)
+        rows.state[v] = if (wall == null) {
+            inward * leaving + 0.0
+        } else if (thermal[face] != null) {
+            wall.leaving(wall.apart(leaving, time), time)
+        } else {
+            wall.leaving(wall.rebound(leaving, coefficient, rows.state[slot * STRIDE + RADIUS], time), time)
+        }
     }
 
     /**

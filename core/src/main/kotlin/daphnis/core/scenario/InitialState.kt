@@ -30,7 +30,13 @@ internal class InitialState(
     private val start: Snapshot? = null,
 ) {
     /** Where spheres can be at the start: walls that move may not be at the faces of the box then. */
-    private val room = if (boundary.hasMovingWalls) boundary.roomAt(scenario.startTime) else box
+    private val room = if (boundary.hasMovingWalls) roomAtStart() else box
+
+    private fun roomAtStart(): Box = try {
+        boundary.roomAt(scenario.startTime)
+    } catch (e: IllegalArgumentException) {
+        check.fail(WallFacesSpec.KEY, "puts walls beyond one another at the start: ${e.message}")
+    }
 
     /** What a user should know about the state made, one line each. */
     val notices = ArrayList<String>()

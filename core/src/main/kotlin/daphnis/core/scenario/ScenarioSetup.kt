@@ -157,7 +157,8 @@ public class ScenarioSetup private constructor(
             val first = timeStep.next(population)
             checkSteps(resolved, first, check)
             if (state == null) GrowthSetup(scenario, check).checkStart(population, around.box, first, around.end)
-            if (state == null) StartCheck(scenario, population, boundary, check, around.end).check(timeStep, isPlaced)
+            val startCheck = StartCheck(scenario, population, boundary, check, around.end)
+            if (state == null) startCheck.check(timeStep, isPlaced) else startCheck.checkRooms()
             if (state == null && (isPlaced || timeStep is FixedTimeStep)) {
                 val likeThem = forceSetup.forces(around.boundary, firstBody)
                 FirstKick(scenario, likeThem, boundary, check).check(population, timeStep.next(population), isPlaced)

@@ -94,6 +94,17 @@ internal class StartCheck(
             "is so long that a wall across ${"xyz"[axis]} has ${frequency * duration} cycles in a step; " +
                 "take a smaller dt"
         }
+        checkRoom(axis, largest)
+    }
+
+    /** Checks of walls what a run that goes on needs too, as it may go on for longer than was checked at its start. */
+    fun checkRooms() {
+        val largest = population.radius.maxOrNull() ?: return
+        for (axis in 0 until boundary.space.dimensions) checkRoom(axis, largest)
+    }
+
+    private fun checkRoom(axis: Int, largest: Double) {
+        if (boundary.wallMotion(2 * axis) == null && boundary.wallMotion(2 * axis + 1) == null) return
         val room = boundary.leastRoom(axis, scenario.startTime, end)
         check.must("boundary.faces", room > 2 * largest) {
             "lets the walls across ${"xyz"[axis]} come as near to each other as $room; " +

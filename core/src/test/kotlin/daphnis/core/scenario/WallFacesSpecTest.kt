@@ -62,6 +62,46 @@ class WallFacesSpecTest {
     }
 
     @Test
+    fun `walls that move alike keep their distance`() {
+        fun pair(lower: String, upper: String) =
+            """{ "lowerZ": { "motion": { $lower } }, "upperZ": { "motion": { $upper } } }"""
+        fun sine(phase: Double) = """"type": "sine", "amplitude": 6, "frequency": 1, "phase": $phase"""
+        fun saw(amplitude: Int, rise: Double) =
+            """"type": "sawtooth", "amplitude": $amplitude, "frequency": 1, "rise": $rise"""
+        fun steady(v: Double) = """"type": "steady", "velocity": $v"""
+        for ((lower, upper) in listOf(
+            sine(0.25) to sine(-0.75),
+            saw(9, 0.75) to saw(2, 0.75),
+            steady(3.0) to steady(1.5),
+            steady(-3.0) to steady(-4.5),
+            // They come as near as 10 − 2 · 6 sin(π φ) for a difference φ of phases.
+            sine(0.0) to sine(0.2),
+        )) {
+            setup(pair(lower, upper))
+        }
+        for ((lower, upper) in listOf(
+            sine(0.0) to sine(0.3),
+            saw(9, 0.75) to saw(9, 0.7),
+            saw(9, 0.75) to saw(-1 + 1, 0.75),
+            steady(3.0) to steady(1.1),
+        )) {
+            val told = refused(pair(lower, upper))
+            assertTrue("boundary.faces: lets the walls across z come as near to each other as" in told) { told }
+        }
+    }
+
+    @Test
+    fun `a run that goes on for longer is refused before its walls meet`() {
+        val piston = """{ "lowerZ": { "motion": { "type": "steady", "velocity": 1 } } }"""
+        val state = setup(piston).population
+        ScenarioSetup.of(scenario(piston, "until=8"), "test", state)
+        val told = assertThrows(InputException::class.java) {
+            ScenarioSetup.of(scenario(piston, "until=9.5"), "test", state)
+        }.message.orEmpty()
+        assertTrue("boundary.faces: lets the walls across z come as near to each other as 0.5" in told) { told }
+    }
+
+    @Test
     fun `a reader is told what moves`() {
         fun words(faces: String) = scenario(faces).boundary.inWords({ "$it" }, { "$it" })
         val sine = """"lowerZ": { "motion": { "type": "sine", "amplitude": 2, "frequency": 1 } }"""
@@ -106,6 +146,8 @@ class WallFacesSpecTest {
             }
             assertTrue('\n' !in message)
         }
+        val beyond = refused(sine(12, 1, 0.25))
+        assertTrue("boundary.faces: puts walls beyond one another at the start" in beyond && '\n' !in beyond) { beyond }
         // As long as the walls do not meet.
         setup("""{ "lowerZ": { "motion": { "type": "steady", "velocity": 1.7 } } }""")
         val rough = """"roughness": { "all": { "type": "constant", "coefficient": 1 } },"""
