@@ -19,6 +19,7 @@ internal class Leaks(classes: JavaClasses) {
             val more = all.filter { unit -> unit !in found && unit.callsFromSelf.any { isOpen(it, found) } }
         } while (found.addAll(more))
         units = found
+        for (u in found) if ("Surroundings" in u.fullName || "scenario" in u.fullName) for (c in u.callsFromSelf) if (isOpen(c, found)) println("LEAK " + u.fullName + " -> " + c.target.fullName)
     }
 
     private fun isOpen(call: JavaCall<*>, found: Set<JavaCodeUnit>): Boolean {

@@ -42,7 +42,8 @@ internal class Legend(private val scene: Scene) {
         val end = if (isNarrow) view.width - margin else view.width / 2
         val words = words(g, end)
         clock(g, clock, words, view.height)
-        val behind = 2 * margin + g.fontMetrics.stringWidth(words)
+        val texts = maxOf(g.fontMetrics.stringWidth(words), g.fontMetrics.stringWidth(clock))
+        val behind = minOf(2 * margin + texts, end - (LEAST_BAR * size).roundToInt())
         scaleBar(g, maxOf(if (isNarrow) view.width / 2 else view.width / 4, behind), end, view.height)
         if (isNarrow) {
             colourBar(g, map, margin, view.width - margin, view.height + row)
@@ -72,8 +73,10 @@ internal class Legend(private val scene: Scene) {
         val room = minOf(view.width / 5, end - x) / view.scaleX
         val length = ScaleBar.length(minOf(view.window.across, room * 5))
         val y = top + (LINE_2 * size).roundToInt()
-        g.drawString(ScaleBar.text(length, scene.scale.units.length), x.toFloat(), top + LINE_1 * size)
-        g.fillRect(x, y - margin / 2, maxOf(1, (length * view.scaleX).roundToInt()), maxOf(2, margin / 5))
+        val text = ScaleBar.text(length, scene.scale.units.length)
+        val from = minOf(x, end + margin - g.fontMetrics.stringWidth(text))
+        g.drawString(text, from.toFloat(), top + LINE_1 * size)
+        g.fillRect(from, y - margin / 2, maxOf(1, (length * view.scaleX).roundToInt()), maxOf(2, margin / 5))
     }
 
     private fun colourBar(g: Graphics2D, map: ColourMap, left: Int, right: Int, top: Int) {

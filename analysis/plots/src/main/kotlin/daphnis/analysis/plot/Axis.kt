@@ -4,16 +4,17 @@ import kotlin.math.abs
 import kotlin.math.log10
 
 /**
- * An axis from [low] to [high], which are widened where they are equal.
+ * An axis from [low] to [high], which are widened where they are equal but for rounding.
  *
  * @param logarithmic both ends are positive then
  */
 internal class Axis(low: Double, high: Double, private val logarithmic: Boolean) {
-    private val from: Double
-    private val to: Double
+    /** The low end, below [to]. */
+    val from: Double
+    val to: Double
 
     init {
-        val room = if (high > low) {
+        val room = if (high - low > ROUNDING * maxOf(abs(low), abs(high))) {
             0.0
         } else if (low == 0.0) {
             1.0
@@ -34,4 +35,9 @@ internal class Axis(low: Double, high: Double, private val logarithmic: Boolean)
 
     /** Marks at round places. */
     fun ticks(): Ticks = if (logarithmic) Ticks.logarithmic(from, to) else Ticks.linear(from, to)
+
+    private companion object {
+        /** Spread over the largest value that a quantity shows which is conserved. */
+        const val ROUNDING = 1e-9
+    }
 }

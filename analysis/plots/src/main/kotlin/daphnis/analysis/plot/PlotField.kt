@@ -74,12 +74,13 @@ internal class PlotField(
                 val high = maxOf(values.maxOrNull() ?: 1.0, marks?.to ?: Double.NEGATIVE_INFINITY)
                 if (log) {
                     val room = (high / low).pow(ROOM)
-                    val ticks = marks?.ticks ?: Ticks.logarithmic(low, high)
-                    return Span(Axis(low / room, high * room, true), ticks, Double.NaN)
+                    val axis = Axis(low / room, high * room, true)
+                    val ticks = marks?.ticks ?: if (high > low) Ticks.logarithmic(low, high) else axis.ticks()
+                    return Span(axis, ticks, Double.NaN)
                 }
                 val room = (high - low) * ROOM
-                val ticks = marks?.ticks ?: Ticks.linear(low - room, high + room, WANTED)
-                return Span(Axis(low - room, high + room, false), ticks, high - low + 2 * room)
+                val axis = Axis(low - room, high + room, false)
+                return Span(axis, marks?.ticks ?: Ticks.linear(axis.from, axis.to, WANTED), axis.to - axis.from)
             }
 
             fun fromZero(values: List<Double>): Span {

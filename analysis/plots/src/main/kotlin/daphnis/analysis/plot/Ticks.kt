@@ -14,6 +14,7 @@ internal class Ticks(val places: List<Double>, val labels: List<String>) {
     companion object {
         private const val WANTED = 8
         private const val FEWEST = 3
+        private const val FEW = 5
         private const val NEARLY = 1e-9
         private val LOG_STEPS = listOf(listOf(1), listOf(1, 3), listOf(1, 2, 5), (1..9).toList())
 
@@ -38,7 +39,8 @@ internal class Ticks(val places: List<Double>, val labels: List<String>) {
         }
 
         /**
-         * Powers of ten from [low] to [high], both positive; with a few steps between when they are near each other.
+         * Powers of ten from [low] to [high], both positive; with a few steps between when they are near each other, and
+         * where these are fewer than two, places as on a linear axis.
          */
         fun logarithmic(low: Double, high: Double): Ticks {
             // A lag of one orbit may be 1.0000000000000002 of them.
@@ -52,6 +54,7 @@ internal class Ticks(val places: List<Double>, val labels: List<String>) {
                     .filter { (m, k) -> m * 10.0.pow(k) in from..to }
             }
             val marks = tries.firstOrNull { it.size >= FEWEST } ?: tries.last()
+            if (marks.size < 2 && low < high) return linear(low, high, FEW)
             return Ticks(marks.map { (m, k) -> m * 10.0.pow(k) }, marks.map { (m, k) -> logLabel(m, k) })
         }
 

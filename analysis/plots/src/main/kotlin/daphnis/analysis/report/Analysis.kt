@@ -92,8 +92,9 @@ public class Analysis @JvmOverloads constructor(
     }
 
     private fun study(directory: Path): Study {
-        val start = if (options.from == null) SteadyStart.of(input, steady()) else null
-        val from = options.from ?: start!!.from
+        val isGrowing = Growth.isSeen(input)
+        val start = if (options.from == null && !isGrowing) SteadyStart.of(input, steady()) else null
+        val from = options.from ?: start?.from ?: input.times.last()
         if (input.snapshot(input.size - 1).size == 0) {
             throw InputException(
                 input.name,

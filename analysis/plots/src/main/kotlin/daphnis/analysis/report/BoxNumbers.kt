@@ -16,7 +16,10 @@ internal class BoxNumbers(private val study: Study) {
 
     fun rows(): List<NumberRow> {
         val transport = motion.transport
-        if (space.isPlane) {
+        val isUniform = !DrivenWalls.isUnderGravity(study)
+        if (!isUniform) {
+            // Of a bed that ends somewhere below the roof both would be numbers of the roof.
+        } else if (space.isPlane) {
             rows.exact("area_fraction", "area fraction ν", bulk.fillingFactor, "")
         } else {
             rows.exact("filling_factor", "filling factor φ", bulk.fillingFactor, "")
@@ -36,12 +39,14 @@ internal class BoxNumbers(private val study: Study) {
         further.add()
         if (transport == null) return rows.list()
         rows.average("collisions_per_particle", "collisions per particle", transport.collisionRate, units.rate)
-        rows.average(
-            "compressibility",
-            "compressibility p ${if (space.isPlane) "A" else "V"} / (M T)",
-            transport.compressibility,
-            "",
-        )
+        if (isUniform) {
+            val name = "compressibility p ${if (space.isPlane) "A" else "V"} / (M T)"
+            rows.average("compressibility", name, transport.compressibility, "")
+        }
+        DrivenWalls.work(study)?.let {
+            val note = "since averages begin; 1 in a steady state"
+            rows.change("wall_work_over_dissipation", "work of walls over dissipation", it, Double.NaN, "", note)
+        }
         if (flow != null && flow.rate != 0.0) sheared(transport, flow.rate)
         atRest()
         return rows.list()

@@ -20,15 +20,26 @@ internal class EllipsoidSection(private val study: Study) : Section {
         study.tooFew() ?: if (e.dispersion > 0) null else "no particle moves against the mean flow"
 
     override fun write(page: ReportPage) {
-        val curves =
-            listOf(curve("v_x, v_y", e.major, e.minor, e.orientation), curve("v_x, v_z", sqrt(xx(e)), e.vertical, 0.0))
+        val isOfDiscs = study.last.boundary.space.isPlane
+        val inPlane = curve("v_x, v_y", e.major, e.minor, e.orientation)
+        val curves = if (isOfDiscs) {
+            listOf(
+                inPlane,
+            )
+        } else {
+            listOf(inPlane, curve("v_x, v_z", sqrt(xx(e)), e.vertical, 0.0))
+        }
         val unit = study.scale.speedName
         study.draw(
             page,
-            Chart.ellipses(curves, UnitNames.axis("v_x", unit), UnitNames.axis("v_y, v_z", unit)),
+            Chart.ellipses(
+                curves,
+                UnitNames.axis("v_x", unit),
+                UnitNames.axis(if (isOfDiscs) "v_y" else "v_y, v_z", unit),
+            ),
             "velocity-ellipsoid",
-            "sections of the velocity ellipsoid",
-            "Sections of the velocity ellipsoid, one standard deviation; ${direction()}.",
+            if (isOfDiscs) "the velocity ellipse" else "sections of the velocity ellipsoid",
+            "${if (isOfDiscs) "The velocity ellipse" else "Sections of the velocity ellipsoid"}, one standard deviation; ${direction()}.",
             HEIGHT,
         )
     }

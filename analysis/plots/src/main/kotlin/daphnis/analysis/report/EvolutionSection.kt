@@ -29,14 +29,18 @@ internal class EvolutionSection(private val study: Study) : Section {
         .let { all -> listOf(all.minOf { it.first() }, all.maxOf { it.last() }) }
 
     /** Where averages begin, when that is within the run. */
-    private val mark = study.from.takeIf { it > ends[0] }
+    private val mark = study.from.takeIf { it > ends[0] && !study.isGrowing }
 
     /** What every chart shows, so that they can be compared. */
     private val across = ends.map { it / scale.time }
 
     override val heading = "Evolution"
-    private val averaged = mark?.let { "the dashed line is where averages begin, time ${study.time(it)}." }
-        ?: "averages are over all of it."
+    private val averaged = if (study.isGrowing) {
+        "nothing is averaged over it."
+    } else {
+        mark?.let { "the dashed line is where averages begin, time ${study.time(it)}." }
+            ?: "averages are over all of it."
+    }
     override val over: String = "The whole run; $averaged"
     override val leftOut: String? = when {
         series != null || transport != null -> null
@@ -46,6 +50,7 @@ internal class EvolutionSection(private val study: Study) : Section {
 
     override fun write(page: ReportPage) {
         if (series != null) series(page, SeriesPlots(series, scale, mark, across))
+        if (study.isGrowing) Growth.write(page, study)
         if (transport == null) return
         dispersions(page)
         val constant = study.bulk.selfGravity ?: return
@@ -92,7 +97,7 @@ internal class EvolutionSection(private val study: Study) : Section {
                 plots.energyPlot(energies),
                 "energy",
                 "energy over time",
-                "Energy of all spheres.$shear",
+                "Energy of all ${study.bodies}.$shear",
                 SeriesPlots.HEIGHT,
             )
         }
@@ -112,7 +117,7 @@ internal class EvolutionSection(private val study: Study) : Section {
     private fun dispersions(page: ReportPage) {
         val t = transport!!
         val time = DoubleArray(t.size) { t[TransportColumns.TIME][it] / scale.time }
-        val names = listOf("xx" to "σ_x", "yy" to "σ_y", "zz" to "σ_z")
+        val names = listOf("xx" to "σ_x", "yy" to "σ_y", "zz" to "σ_z").take(study.last.dimensions)
         val sigma = names.map { (component, _) ->
             val moment = t[TransportColumns.moment(component)]
             DoubleArray(t.size) { sqrt(moment[it]) / scale.speed }

@@ -12,7 +12,7 @@ internal class ImpactsSection(private val study: Study) : Section {
     private val impacts = study.input.impacts
 
     override val heading = "Impacts"
-    override val over = "How fast spheres meet. All collisions of the run."
+    override val over = "How fast ${study.bodies} meet. All collisions of the run."
     override val leftOut = when {
         study.input.directory == null -> "a file of states does not hold them"
         impacts == null -> "the run did not write them; it does with output.transportEvery"

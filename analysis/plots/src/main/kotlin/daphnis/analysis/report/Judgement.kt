@@ -7,9 +7,15 @@ import daphnis.analysis.statistics.Steadiness.Verdict
  * Whether averages from the time [from] on are over a steady time, and so whether they have errors.
  *
  * @param states how many states averages are over
+ * @param isChanging whether it is known that they are not
  * @param quantities the main ones over time, of which each is judged; asked for once, when all states have been seen
  */
-internal class Judgement(private val from: Double, private val states: Int, quantities: () -> List<History>) {
+internal class Judgement(
+    private val from: Double,
+    private val states: Int,
+    isChanging: Boolean = false,
+    quantities: () -> List<History>,
+) {
     /** Those that change at all. */
     val histories: List<History> by lazy { quantities().filterNot { it.isConstant(from) } }
 
@@ -19,7 +25,7 @@ internal class Judgement(private val from: Double, private val states: Int, quan
      * Whether the run as a whole is not steady over the time averaged: one of the main quantities drifts by more than
      * chance makes of so many.
      */
-    val isDrifting by lazy { found.any { it.isDriftingAmong(histories.size) } }
+    val isDrifting by lazy { isChanging || found.any { it.isDriftingAmong(histories.size) } }
 
     /** Numbers that drift, each by itself: those of a main quantity that does. */
     private val drifting by lazy {

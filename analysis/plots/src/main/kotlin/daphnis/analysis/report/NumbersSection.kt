@@ -52,6 +52,7 @@ internal class NumbersSection(private val study: Study, private val others: List
 
     /** Whether the averages are over a steady time, in sentences. */
     private fun steadiness(): List<String> {
+        if (study.isGrowing) return listOf(Growth.remark(study))
         val orbit = study.input.omega?.let { 2 * PI / it }
         val unit = if (orbit != null) "orbit" else "unit of time"
         val text = SteadinessText(

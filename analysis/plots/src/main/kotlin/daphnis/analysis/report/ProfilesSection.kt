@@ -73,7 +73,10 @@ internal class ProfilesSection(private val study: Study) : Section {
                 "Filling factor over height.",
             )
         }
-        if (study.input.hasVelocities) dispersions(page)
+        if (study.input.hasVelocities) {
+            if (!isOfDiscs && !study.isRing && !study.last.boundary.hasImages(2)) temperature(page)
+            dispersions(page)
+        }
     }
 
     /** Writes the table of a profile. */
@@ -92,7 +95,7 @@ internal class ProfilesSection(private val study: Study) : Section {
     /** Draws a [column] of a [table] over its bins. */
     private fun drawn(page: ReportPage, of: Averaged, table: Table, column: String, label: String, caption: String) {
         fun values(name: String) = table.columns.first { it.name == name }.values
-        val quantity = column.replace('_', ' ')
+        val quantity = if (isOfDiscs && column == "filling_factor") "area fraction" else column.replace('_', ' ')
         val figure = Chart.lines(
             listOf(Curve(quantity, values("centre"), values(column), values("${column}_error"))),
             study.lengthAxis(label),
@@ -121,6 +124,26 @@ internal class ProfilesSection(private val study: Study) : Section {
         val caption = "Velocity dispersions $where, around the mean of each bin, by number."
         study.draw(page, Chart.lines(curves, acrossAxis, label), "radial-dispersion", said, caption)
         if (isAcrossY) meanFlow(page)
+    }
+
+    /** Of a bed between floor and roof, of which the floor may heat. */
+    private fun temperature(page: ReportPage) {
+        val first = Profile.COLUMNS.indexOf("c_xx")
+        val parts = (0 until 3).map { vertical.column(first + it) }
+        val unit = study.scale.speed * study.scale.speed
+        val curves = listOf("⟨c_x²⟩", "⟨c_y²⟩", "⟨c_z²⟩").mapIndexed { c, name ->
+            val all = parts[c]
+            Curve(
+                name,
+                vertical.centres(),
+                DoubleArray(all.size) { all[it].mean / unit },
+                DoubleArray(all.size) { study.judgement.error(all[it]) / unit },
+            )
+        }
+        val label = UnitNames.axis("granular temperature", study.scale.temperatureName)
+        val caption = "Granular temperature over height by component, around the mean of each bin, by number."
+        val figure = Chart.lines(curves, study.lengthAxis("height z"), label)
+        study.draw(page, figure, "vertical-temperature", "granular temperature over height", caption)
     }
 
     /** The flow of a sheared box as it is, beside the straight line that the boundary drives. */

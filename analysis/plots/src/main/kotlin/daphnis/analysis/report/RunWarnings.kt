@@ -12,7 +12,7 @@ internal object RunWarnings {
     /** Of the run of [study] and the [rows] of its numbers; none for a file or the run of a program. */
     fun of(study: Study, rows: List<NumberRow>): List<String> {
         val scenario = study.physics?.takeIf { study.input.directory != null } ?: return emptyList()
-        return ofRun(study, scenario) + listOfNotNull(imbalance(scenario, rows))
+        return ofRun(study, scenario) + DrivenWalls.inStep(scenario) + listOfNotNull(imbalance(scenario, rows))
     }
 
     /** What the run warned of when it began; none where its scenario, accepted with a loss, is none any more. */

@@ -33,7 +33,10 @@ internal class Study(
     val bulk: Bulk = Bulk(last, input)
     val boxes: Boxes = Boxes(averaged.map { input.boundary(it) })
     val motion: Motion = Motion(input, from, last)
-    val judgement: Judgement = Judgement(from, averaged.size) {
+
+    /** Whether spheres grow, so that no part of the run is steady. */
+    val isGrowing: Boolean = Growth.isSeen(input)
+    val judgement: Judgement = Judgement(from, averaged.size, isGrowing) {
         RunHistory.of(input, from).ifEmpty { listOfNotNull(motion.history(from)) }
     }
 
@@ -54,6 +57,9 @@ internal class Study(
 
     /** Whether light through the patch means something: not through a box that is one of many all around. */
     val isSlab: Boolean = !last.boundary.repeats(2) && !last.boundary.space.isPlane
+
+    /** What collides. */
+    val bodies: String = if (last.boundary.space.isPlane) "discs" else "spheres"
 
     /** Whether pairs and maps are worth looking at: not for patches far longer than wide. */
     val isCompact: Boolean =

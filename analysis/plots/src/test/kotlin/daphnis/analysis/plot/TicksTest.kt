@@ -56,6 +56,9 @@ class TicksTest {
         val first = listOf("1", "3", "10")
         assertEquals(first, Ticks.logarithmic(1.0000000000000002, 12.999999999999998).labels)
         assertEquals(first, Ticks.logarithmic(1.0, 9.999999999999998).labels)
+        // Between two steps there are round places of a linear axis.
+        val near = Ticks.logarithmic(0.0345, 0.0362)
+        assertTrue(near.labels.toSet().size >= 2 && near.places.all { it in 0.0345..0.0362 }) { "${near.labels}" }
         val wide = Ticks.logarithmic(1e-20, 1e20)
         assertTrue(wide.places.size in 4..10) { "${wide.labels}" }
     }

@@ -45,6 +45,14 @@ class DiscReportTest {
         assertTrue("self_diffusion_z" !in rows)
         val page = Files.readString(run.resolve("report.html"))
         assertTrue("Radial distribution function of discs" in page && "height z" !in page)
+        assertTrue("Energy of all discs" in page && "area fraction" in page)
+        for (name in listOf("velocity-ellipsoid", "radial-filling-factor")) {
+            val plot = Files.readString(run.resolve("plots/$name.svg"))
+            assertTrue("v_z" !in plot && "filling factor" !in plot) { name }
+        }
+        // Energy and temperature of elastic discs are conserved: marks that differ in the sixteenth digit tell nothing.
+        val temperature = Files.readString(run.resolve("plots/temperature.svg"))
+        assertTrue("99999" !in temperature && "00000" !in temperature)
         assertTrue(Files.exists(run.resolve("tables/profile-radial.csv")))
         assertTrue(!Files.exists(run.resolve("tables/profile-vertical.csv")))
         // Areas of discs, cut at the faces of bins, add up to the area fraction.

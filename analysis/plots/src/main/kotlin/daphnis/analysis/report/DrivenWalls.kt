@@ -1,0 +1,63 @@
+package daphnis.analysis.report
+
+import daphnis.core.run.TransportColumns.DISSIPATED
+import daphnis.core.run.TransportColumns.WALL_WORK
+import daphnis.core.scenario.BoundarySpec
+import daphnis.core.scenario.ForceSpec
+import daphnis.core.scenario.Scenario
+import daphnis.core.scenario.TimeStepSpec
+import daphnis.core.scenario.WallMotionSpec
+import kotlin.math.abs
+import kotlin.math.round
+
+/** Beds of grains: gravity toward a wall, and walls that vibrate. */
+internal object DrivenWalls {
+    /** Whether a uniform force presses spheres against a wall or out of an open face, so that their density varies. */
+    fun isUnderGravity(study: Study): Boolean {
+        val forces = study.input.scenario?.forces.orEmpty().filterIsInstance<ForceSpec.UniformAcceleration>()
+        return forces.any { force ->
+            (0 until study.last.dimensions).any { force.acceleration[it] != 0.0 && !study.last.boundary.hasImages(it) }
+        }
+    }
+
+    /** Energy that walls gave over what collisions took, since averages begin; null where no row says so. */
+    fun work(study: Study): Double? {
+        val rows = study.input.transport?.from(study.from)?.takeIf { it.size >= 2 && WALL_WORK in it } ?: return null
+        val taken = rows[DISSIPATED].let { it.last() - it.first() }
+        return if (taken > 0) rows[WALL_WORK].let { it.last() - it.first() } / taken else null
+    }
+
+    /** One line for each output that always falls into the same part of the cycle of a wall. */
+    fun inStep(scenario: Scenario): List<String> {
+        val faces = (scenario.boundary as? BoundarySpec.Walls)?.faces ?: return emptyList()
+        val all = listOf(faces.lowerX, faces.upperX, faces.lowerY, faces.upperY, faces.lowerZ, faces.upperZ)
+        val frequencies = all.mapNotNull { frequency(it?.motion) }.distinct()
+        val output = scenario.output
+        val step = (scenario.timeStep as? TimeStepSpec.Fixed)?.dt ?: Double.NaN
+        val intervals = listOf(
+            "output.snapshotEvery" to output.snapshotEvery * step,
+            "output.snapshotInterval" to output.snapshotInterval,
+            "output.transportEvery" to output.transportEvery * step,
+            "output.transportInterval" to output.transportInterval,
+        )
+        return intervals.flatMap { (key, interval) ->
+            frequencies.filter { isWhole((interval ?: 0.0) * it) }.map {
+                "$key is ${ReportText.short(
+                    interval!! * it,
+                )} cycles of a wall: all rows or states are of one phase of " +
+                    "it, and averages are of that phase. An interval that is no whole number of cycles averages over all."
+            }
+        }
+    }
+
+    private fun isWhole(cycles: Double) = round(cycles) >= 1 && abs(cycles - round(cycles)) < WHOLE
+
+    private fun frequency(motion: WallMotionSpec?): Double? = when (motion) {
+        is WallMotionSpec.Sine -> motion.frequency
+        is WallMotionSpec.Sawtooth -> motion.frequency
+        is WallMotionSpec.BiParabolic -> motion.frequency
+        is WallMotionSpec.Steady, null -> null
+    }
+
+    private const val WHOLE = 1e-3
+}

@@ -1,0 +1,42 @@
+package daphnis.analysis.report
+
+import daphnis.analysis.input.AnalysisInput
+import daphnis.core.run.Run
+import daphnis.core.scenario.BuiltIn
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.io.TempDir
+import java.nio.file.Files
+import java.nio.file.Path
+
+/** The report of a vibrated bed. */
+class DrivenWallsReportTest {
+    @Test
+    fun `a bed has no pressure of its box, but work of its floor and temperature over height`(@TempDir home: Path) {
+        val settings =
+            listOf("particles.count=100", "box.lengths=[5,5,60]", "until=40", "output.transportEvery=13")
+        Run.start(BuiltIn.scenario("vibrated-bed", settings), "vibrated-bed", home).use { it.execute() }
+        Analysis(AnalysisInput.ofRun(home)).write(home)
+        val keys = Files.readAllLines(home.resolve("tables/numbers.csv")).map { it.substringBefore(',') }
+        assertTrue("compressibility" !in keys && "filling_factor" !in keys && "collisions_per_particle" in keys)
+        val work = Files.readAllLines(home.resolve("tables/numbers.csv")).map { it.split(',') }
+            .first { it[0] == "wall_work_over_dissipation" }[1].toDouble()
+        assertEquals(1.0, work, 0.5)
+        assertTrue(Files.exists(home.resolve("plots/vertical-temperature.svg")))
+        assertTrue("cycles of a wall" !in Files.readString(home.resolve("report.html")))
+    }
+
+    @Test
+    fun `outputs in step with a wall are named`() {
+        fun said(vararg settings: String) = DrivenWalls.inStep(BuiltIn.scenario("vibrated-bed", settings.toList()))
+        assertEquals(emptyList<String>(), said())
+        val lines = said("output.transportEvery=20", "output.snapshotEvery=200")
+        assertEquals(2, lines.size)
+        assertTrue(
+            lines[0].startsWith("output.snapshotEvery is 10") && lines[1].startsWith("output.transportEvery is 1"),
+        )
+        assertEquals(1, said("output.transportInterval=3.0005").size)
+        assertEquals(emptyList<String>(), said("output.transportInterval=3.002"))
+    }
+}

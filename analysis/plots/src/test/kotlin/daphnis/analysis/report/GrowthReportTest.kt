@@ -1,0 +1,39 @@
+package daphnis.analysis.report
+
+import daphnis.analysis.input.AnalysisInput
+import daphnis.core.run.Run
+import daphnis.core.scenario.BuiltIn
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.io.TempDir
+import java.nio.file.Files
+import java.nio.file.Path
+
+/** The report of spheres that grow: nothing is averaged over time, and the pressure stands over the filling factor. */
+class GrowthReportTest {
+    @Test
+    fun `of a run that grows the last state is measured, and no drift is denied`(@TempDir home: Path) {
+        val settings = listOf("particles.count=200", "until=6", "output.snapshotEvery=20", "box.lengths=[8,8,8]")
+        Run.start(BuiltIn.scenario("glass", settings), "glass", home).use { it.execute() }
+        Analysis(AnalysisInput.ofRun(home)).write(home)
+        val page = Files.readString(home.resolve("report.html"))
+        assertTrue("so averages over time mean nothing: numbers are of one state." in page)
+        assertTrue("No drift is seen" !in page && "spheres grow, so no time" in page)
+        assertTrue("Averages over 1 state of 7" in page)
+        assertTrue(Files.exists(home.resolve("plots/compression.svg")))
+        val rows = Files.readAllLines(home.resolve("tables/compression.csv"))
+        assertEquals(listOf("time", "filling_factor", "reduced_pressure", "fluid"), rows[0].split(',').map(::name))
+        val numbers = rows.drop(1).map { line -> line.split(',').map { it.toDouble() } }
+        for (row in numbers) assertEquals(EquationOfState.ofSpheres(row[1]), row[3], 1e-6 * row[3])
+        assertEquals(1.0, numbers.map { it[2] / it[3] }.average(), 0.2)
+    }
+
+    private fun name(heading: String) = heading.substringBefore(' ')
+
+    @Test
+    fun `equations of state have their known values`() {
+        assertEquals(12.41, EquationOfState.ofSpheres(0.493), 0.1)
+        assertEquals(1.96322, EquationOfState.ofDiscs(0.28274), 1e-5)
+    }
+}
