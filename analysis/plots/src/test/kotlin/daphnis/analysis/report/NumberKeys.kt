@@ -77,8 +77,12 @@ internal object NumberKeys {
         "moonlet_walk",
     )
 
+    private const val DISCS = "area_fraction"
+    private const val WALLS = "wall_work_over_dissipation"
+    private val single = listOf(INFINITE, GUIDING_CENTRES, DISCS, WALLS)
+
     private val all =
-        (RING + ROUGH_GAS + SELF_GRAVITY + SHEARED + MOONLET + DIFFUSION + WAVES + INFINITE + GUIDING_CENTRES).toSet()
+        (RING + ROUGH_GAS + SELF_GRAVITY + SHEARED + MOONLET + DIFFUSION + WAVES + single).toSet()
 
     /** Keys in the first column of the guide's table of numbers. */
     private fun documented(): List<String> {
