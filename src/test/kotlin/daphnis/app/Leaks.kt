@@ -19,7 +19,19 @@ internal class Leaks(classes: JavaClasses) {
             val more = all.filter { unit -> unit !in found && unit.callsFromSelf.any { isOpen(it, found) } }
         } while (found.addAll(more))
         units = found
-        for (u in found) if ("Surroundings" in u.fullName || "scenario" in u.fullName) for (c in u.callsFromSelf) if (isOpen(c, found)) println("LEAK " + u.fullName + " -> " + c.target.fullName)
+        for (u in found) {
+            if ("Surroundings" in u.fullName ||
+                "scenario" in u.fullName
+            ) {
+                for (c in u.callsFromSelf) {
+                    if (isOpen(c, found)) {
+                        println(
+                            "LEAK " + u.fullName + " -> " + c.target.fullName,
+                        )
+                    }
+                }
+            }
+        }
     }
 
     private fun isOpen(call: JavaCall<*>, found: Set<JavaCodeUnit>): Boolean {

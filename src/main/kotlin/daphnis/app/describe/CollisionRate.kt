@@ -13,7 +13,7 @@ import kotlin.math.sqrt
  * τ collisions per orbit where they swing through the plane once (docs/validation.md, τ = 0.1 to 1), as many times more
  * as they swing more often. Where the plane is as full as a liquid they have up to g times as many, g being the pair
  * correlation of Carnahan & Starling at contact, and far more in wakes: that is the upper end of the range. Without a
- * frame it is Enskog's rate at the start.
+ * frame it is Enskog's rate at the start; spheres that grow, and those that gravity presses on a wall, have more.
  *
  * @property least per sphere and unit of time
  * @property most likewise
@@ -47,9 +47,14 @@ internal class CollisionRate private constructor(val least: Double, val most: Do
             val radii = setup.population.radius
             val box = setup.boundary.box
             if (radii.isEmpty() || !box.volume.isFinite()) return 0.0
-            val temperature =
-                granularTemperature(setup.population, setup.boundary.meanFlow, setup.scenario.firstBody)
+            val temperature = granularTemperature(setup.population, setup.boundary, setup.scenario.firstBody)
             val mean = radii.average()
+            if (box.space.isPlane) {
+                // Henderson 1975, Mol. Phys. 30, 971.
+                val part = minOf(fillingFactor(radii, box), FULL)
+                val contact = (1 - 7.0 / 16 * part) / ((1 - part) * (1 - part))
+                return 2 * sqrt(PI * temperature) * radii.size / box.volume * 2 * mean * contact
+            }
             val squares = 2 * (radii.sumOf { it * it } / radii.size + mean * mean)
             return 4 * sqrt(PI * temperature) * radii.size / box.volume * squares *
                 correlation(fillingFactor(radii, box))

@@ -11,8 +11,8 @@ import daphnis.core.scenario.InputException
 import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.ScenarioJson
 import daphnis.core.scenario.ScenarioSetup
-import daphnis.core.scenario.ValueCheck
 import daphnis.core.scenario.TimeStepSpec
+import daphnis.core.scenario.ValueCheck
 import daphnis.core.scenario.warnings
 import daphnis.core.scenario.wrongArgument
 import java.io.IOException

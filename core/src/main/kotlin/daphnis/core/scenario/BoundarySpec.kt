@@ -70,7 +70,7 @@ public sealed interface BoundarySpec {
             val check = ValueCheck(source)
             check.that("boundary.axes", axes, known) { "must name axes, such as xyz or z" }
             check.fraction("boundary.restitution", restitution)
-            val inSpace = axes.filter { AXES.indexOf(it) < box.space.dimensions }
+            val inSpace = axes.toList().filter { AXES.indexOf(it) < box.space.dimensions }.joinToString("")
             check.that("boundary.axes", axes, inSpace.isNotEmpty()) { "must name x, y or both, with dimensions 2" }
             val walled = BooleanArray(AXES.length) { AXES[it] in inSpace }
             val surfaces = roughness?.laws(inSpace, check) ?: emptyList()

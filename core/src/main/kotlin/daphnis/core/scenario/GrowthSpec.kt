@@ -109,11 +109,20 @@ internal class GrowthSetup(private val scenario: Scenario, private val check: Va
         }
         if (spec.rate < 0) {
             // Over the radii at the start, when the last step begins.
-            val least = if (goal == null) 0.0 else scaleAt(now) * (if (box.space.isPlane) sqrt(goal / filling) else cbrt(goal / filling))
+            val least = if (goal ==
+                null
+            ) {
+                0.0
+            } else {
+                scaleAt(now) * (if (box.space.isPlane) sqrt(goal / filling) else cbrt(goal / filling))
+            }
             val last = maxOf(scaleAt(end - minOf(duration, end - now)), least)
             val change = abs(spec.rate) * duration / last
             check.that("growth.rate", spec.rate, change <= GrowingSpheres.MOST) {
-                "shrinks radii by ${"%.2g".format(Locale.ROOT, change)} of what they are in the last step of $duration; " +
+                "shrinks radii by ${"%.2g".format(
+                    Locale.ROOT,
+                    change,
+                )} of what they are in the last step of $duration; " +
                     "a tenth is the most; take a smaller dt or an earlier end"
             }
         } else if (goal == null && spec.untilPressure == null) {

@@ -76,7 +76,9 @@ public class Surroundings private constructor(
             }
             lengths.forEachIndexed { k, length -> check.extent("box.lengths[$k]", length) }
             val box = if (dimensions == 2) {
-                check.must("frame", scenario.frame == null) { "is of a ring, and needs dimensions 3; discs in a plane have no frame" }
+                check.must("frame", scenario.frame == null) {
+                    "is of a ring, and needs dimensions 3; discs in a plane have no frame"
+                }
                 Box.flat(lengths[0], lengths[1])
             } else {
                 Box.centred(lengths[0], lengths[1], lengths[2])

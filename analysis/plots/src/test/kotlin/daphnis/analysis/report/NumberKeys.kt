@@ -78,9 +78,12 @@ internal object NumberKeys {
         "moonlet_walk",
     )
 
+    private const val DISCS = "area_fraction"
+    private const val WALLS = "wall_work_over_dissipation"
+    private val single = listOf(INFINITE, GUIDING_CENTRES, DISCS, WALLS, HELFAND)
+
     private val all =
-        (RING + ROUGH_GAS + SELF_GRAVITY + SHEARED + MOONLET + DIFFUSION + WAVES)
-            .plus(listOf(INFINITE, GUIDING_CENTRES, HELFAND)).toSet()
+        (RING + ROUGH_GAS + SELF_GRAVITY + SHEARED + MOONLET + DIFFUSION + WAVES + single).toSet()
 
     /** Keys in the first column of the guide's table of numbers. */
     private fun documented(): List<String> {
