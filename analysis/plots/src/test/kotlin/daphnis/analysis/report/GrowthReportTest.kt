@@ -34,6 +34,6 @@ class GrowthReportTest {
     @Test
     fun `equations of state have their known values`() {
         assertEquals(12.41, EquationOfState.ofSpheres(0.493), 0.1)
-        assertEquals(1.96322, EquationOfState.ofDiscs(0.28274), 1e-5)
+        assertEquals(1.96322, EquationOfState.ofDiscs(0.2827433), 1e-5)
     }
 }
