@@ -23,11 +23,11 @@ import kotlin.math.sqrt
  * **No engine knows of radii that change.** Let γ be the rate at the start of a step of length h, a(t) = a₀ (1 + γ t), and
  * s = 1 + γ h. In the coordinates x′ = x/(1 + γ t) radii are fixed, and in the time t′ = s t/(1 + γ t), which ends at h
  * too, free paths are straight: x′ = x₀ + (v − γ x₀) t′/s. Only the box shrinks: images approach at the rate γ/s
- * ([approach]). So a step is one of fixed spheres with velocities (v − γ x)/s, after which a velocity w means v = w + γ x′,
- * and all lengths are multiplied by s. Free paths and contacts are exact, for any length of the step.
+ * ([approach]). So a step is one of fixed spheres with velocities (v − γ x)/s, after which a velocity w means v = w +
+ * γ x′, and all lengths are multiplied by s. Free paths and contacts are exact, for any length of the step.
  *
- * Places count from the middle of the box here. Contacts exchange momentum as they do at rest, and Σ m v stays to round-off. Radii change at the end of the step alone, so
- * states, files and checkpoints have those of their time.
+ * Places count from the middle of the box here. Contacts exchange momentum as they do at rest, and Σ m v stays to
+ * round-off. Radii change at the end of the step alone, so states, files and checkpoints have those of their time.
  *
  * @property rate Γ, the growth of a radius per unit of time over the radius at the time [from]; < 0 for spheres that
  *   shrink
@@ -61,9 +61,9 @@ public class GrowingSpheres @JvmOverloads constructor(
     }
 
     /**
-     * The reduced pressure Z = P V/(N kT) in the last step, from the energy that growing spheres gave to the gas: dE = 3 N kT
-     * (Z − 1) da/a. NaN before the first step, with fewer than two spheres, where none moves relative to the others, and where radii grow by less than their
-     * rounding. It holds for elastic collisions only.
+     * The reduced pressure Z = P V/(N kT) in the last step, from the energy that growing spheres gave to the gas: dE =
+     * d N kT (Z − 1) da/a in d dimensions. NaN before the first step, with fewer than two spheres, where none moves
+     * relative to the others, and where radii grow by less than their rounding. It holds for elastic collisions only.
      */
     public var reducedPressure: Double = Double.NaN
         internal set
@@ -85,14 +85,16 @@ public class GrowingSpheres @JvmOverloads constructor(
     /** Radii at [time] over those at the time [from]. */
     public fun scaleAt(time: Double): Double = 1 + rate * (time - from)
 
-    /** @throws IllegalArgumentException for a step in which radii change by more than a tenth, or shrink to nothing, or a sphere touches its own image */
+    /**
+     * @throws IllegalArgumentException for a step in which radii change by more than a tenth, or shrink to nothing, or a
+     *   sphere touches its own image
+     */
     override fun beforeDrift(population: Population, start: Double, duration: Double) {
         gamma = rate / scaleAt(start)
         require(scaleAt(start) > 0 && abs(gamma) * duration <= MOST) {
             gamma = 0.0
-            "radii change by the factor ${scaleAt(
-                start + duration,
-            ) / scaleAt(start)} in the step from time $start to " +
+            val factor = scaleAt(start + duration) / scaleAt(start)
+            "radii change by the factor $factor in the step from time $start to " +
                 "${start + duration}; it must be a tenth at most, so take a smaller dt or rate"
         }
         scale = 1 + gamma * duration
