@@ -15,6 +15,9 @@ HERE = Path(__file__).resolve().parent
 CHECKOUT = HERE.parent
 VERSION = CHECKOUT / "core/src/main/resources/daphnis/version.txt"
 
+ONLY_OF_PEKKO = ("agrona-", "asn-one-", "config-", "pekko-", "reactive-streams-", "scala-library-", "ssl-config-core")
+"""What only the engine `pekko` and runs on several machines need: more than half of all jars."""
+
 
 class Version(MetadataHookInterface):
     """The version of the package is that of daphnis."""
@@ -33,16 +36,16 @@ class Jars(BuildHookInterface):
     def initialize(self, version: str, build_data: dict[str, Any]) -> None:
         if version == "editable":
             return
-        jars = built_jars()
+        jars = [jar for jar in built_jars() if not jar.name.startswith(ONLY_OF_PEKKO)]
         if not jars:
             raise SystemExit(f"no jars in {CHECKOUT}: build them first, with ./daphnis --version or python/build-wheel")
         forced = build_data["force_include"]
         for jar in jars:
-            forced[str(jar)] = f"daphnis/jars/{jar.name}"
-        forced[str(VERSION)] = "daphnis/version.txt"
-        forced[str(CHECKOUT / "docs" / "notebooks" / "daphnis.json")] = "daphnis/kotlin.json"
-        forced[str(CHECKOUT / "LICENSE")] = "daphnis/LICENSE"
-        forced[str(CHECKOUT / "docs" / "third-party.md")] = "daphnis/third-party.md"
+            forced[str(jar)] = f"daphnis_sim/jars/{jar.name}"
+        forced[str(VERSION)] = "daphnis_sim/version.txt"
+        forced[str(CHECKOUT / "docs" / "notebooks" / "daphnis.json")] = "daphnis_sim/kotlin.json"
+        forced[str(CHECKOUT / "LICENSE")] = "daphnis_sim/LICENSE"
+        forced[str(CHECKOUT / "docs" / "third-party.md")] = "daphnis_sim/third-party.md"
 
 
 def built_jars() -> list[Path]:
@@ -52,7 +55,7 @@ def built_jars() -> list[Path]:
 
 def _module(name: str) -> ModuleType:
     """A module of the package by itself, since what the package needs is not there while it is built."""
-    spec = importlib.util.spec_from_file_location(name, HERE / "src" / "daphnis" / f"{name}.py")
+    spec = importlib.util.spec_from_file_location(name, HERE / "src" / "daphnis_sim" / f"{name}.py")
     assert spec is not None and spec.loader is not None
     module = importlib.util.module_from_spec(spec)
     sys.modules[name] = module

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-import daphnis
+import daphnis_sim as daphnis
 
 GAS: dict[str, Any] = {
     "box": {"lengths": [20, 20, 20]},

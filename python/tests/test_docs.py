@@ -9,8 +9,8 @@ from typing import Any
 
 import pytest
 
-import daphnis
-from daphnis.kotlin import descriptor
+import daphnis_sim as daphnis
+from daphnis_sim.kotlin import descriptor
 
 CHECKOUT = Path(__file__).resolve().parents[2]
 
@@ -86,7 +86,7 @@ def test_what_the_documentation_shows_has_the_right_types(tmp_path: Path) -> Non
 
 def test_what_a_run_has_is_no_maybe() -> None:
     """Without mypy too: what documents use plainly is typed plainly."""
-    plain = {daphnis.Run: ("scenario", "summary", "units"), daphnis.Scenario: ("omega", "kappa", "nu", "orbit", "units")}
-    for kind, names in plain.items():
+    frame = ("omega", "kappa", "nu", "orbit", "units")
+    for kind, names in {daphnis.Run: ("scenario", "summary", "units"), daphnis.Scenario: frame}.items():
         for name in names:
             assert "None" not in str(getattr(kind, name).fget.__annotations__["return"]), name

@@ -11,9 +11,9 @@ from typing import Any
 import jpype
 import pytest
 
-import daphnis
-from daphnis._errors import PythonFailure, translated
-from daphnis._jvm import java
+import daphnis_sim as daphnis
+from daphnis_sim._errors import PythonFailure, translated
+from daphnis_sim._jvm import java
 
 MANY = 100_000
 
@@ -104,7 +104,7 @@ def test_a_second_ctrl_c_breaks_off_a_run(patch: dict[str, Any], tmp_path: Path)
 def test_ctrl_c_while_a_run_starts_ends_it_with_a_checkpoint(
     patch: dict[str, Any], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    from daphnis import _execution
+    from daphnis_sim import _execution
 
     def noted(notices: list[str]) -> None:
         press()
@@ -171,8 +171,8 @@ def test_a_failure_of_java_is_not_taken_for_an_earlier_one_of_a_function() -> No
 
 
 def test_a_failure_within_a_step_that_ended_well_is_forgotten() -> None:
-    from daphnis._execution import _Execution
-    from daphnis._interrupts import CtrlC, Termination
+    from daphnis_sim._execution import _Execution
+    from daphnis_sim._interrupts import CtrlC, Termination
 
     class Halted:
         def getSimulation(self) -> None:

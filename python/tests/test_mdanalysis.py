@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-import daphnis
+import daphnis_sim as daphnis
 
 
 def test_a_universe_has_the_states_in_the_units_of_the_run(

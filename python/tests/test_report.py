@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-import daphnis
+import daphnis_sim as daphnis
 
 
 @pytest.fixture(scope="module")

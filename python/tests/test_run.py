@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import json
+import multiprocessing
 import os
+import pickle
 import signal
 import subprocess
 import sys
@@ -13,7 +15,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-import daphnis
+import daphnis_sim as daphnis
 
 
 def test_a_run_gives_what_its_directory_holds(ring: daphnis.Run) -> None:
@@ -39,7 +41,7 @@ def test_series_have_units_and_the_bits_of_the_file(ring: daphnis.Run) -> None:
 
 
 def test_a_line_that_is_being_written_is_left_out(ring: daphnis.Run, tmp_path: Path) -> None:
-    from daphnis.tables import read_table
+    from daphnis_sim.tables import read_table
 
     text = (ring.path / "series.csv").read_text()
     (tmp_path / "series.csv").write_text(text[:-20])
@@ -68,6 +70,16 @@ def test_states_are_read_one_by_one_and_by_time(ring: daphnis.Run) -> None:
         ring.at(states[1].time * 1.5)
     with pytest.raises(daphnis.InputError, match="has no state after step 7"):
         ring.at_step(7)
+
+
+def test_a_state_can_be_pickled(ring: daphnis.Run) -> None:
+    state = ring.last()
+    again = pickle.loads(pickle.dumps(state))
+    assert (again.step, again.time, again.run) == (state.step, state.time, None)
+    assert again.to_frame().equals(state.to_frame()) and again.to_frame().attrs == state.to_frame().attrs
+    assert np.array_equal(again.image, state.image) and np.array_equal(again.cell, state.cell)
+    with multiprocessing.get_context("spawn").Pool(1) as pool:
+        assert pool.map(len, [state]) == [len(state)]
 
 
 def test_arrays_of_a_state_are_the_files(ring: daphnis.Run) -> None:
@@ -184,7 +196,7 @@ def test_scenarios_are_named_written_and_taken_as_dicts(tmp_path: Path) -> None:
 def test_ctrl_c_ends_a_run_with_a_checkpoint(tmp_path: Path) -> None:
     before = signal.getsignal(signal.SIGINT)
     program = f"""
-import os, signal, daphnis
+import os, signal, daphnis_sim as daphnis
 # Where these tests run in the background, SIGINT is ignored, and so would be what it sends here.
 signal.signal(signal.SIGINT, signal.default_int_handler)
 def watch(simulation):

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-import daphnis
+import daphnis_sim as daphnis
 
 
 def advanced(gas: dict[str, Any], spheres: dict[str, Any], **others: Any) -> str:

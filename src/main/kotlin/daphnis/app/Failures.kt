@@ -29,11 +29,17 @@ internal fun reasonInWords(e: Throwable): String = when (e) {
         "not enough memory (the JVM has $heap MiB); raise it with JAVA_OPTS=-Xmx…"
     }
     is StackOverflowError -> "not enough stack; raise it with JAVA_OPTS=-Xss…, or the input is nested too deeply"
-    is LinkageError -> {
+    is LinkageError -> if (isOfPekko(e)) {
+        "this installation has no Pekko, which nodes and the engine pekko need; any other engine gives the same bits"
+    } else {
         "a part of daphnis or of Java is missing: ${words(e.cause ?: e)}; build it again, or use a whole JDK"
     }
     else -> "unexpected ${words(e)}; this is a fault of daphnis, $DEBUG shows where"
 }
+
+/** Whether what is missing are the libraries that the package for Python leaves out. */
+private fun isOfPekko(e: LinkageError): Boolean =
+    listOf("org.apache.pekko.", "com.typesafe.config.").any { e.cause?.message.orEmpty().startsWith(it) }
 
 /** The message of [e] in the words of the command line: arguments and ways out are flags. */
 private fun inFlags(e: InputException): String {

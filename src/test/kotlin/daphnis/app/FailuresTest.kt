@@ -52,6 +52,11 @@ class FailuresTest {
             Triple(OutOfMemoryError("heap"), 1, "JAVA_OPTS=-Xmx"),
             Triple(StackOverflowError(), 1, "stack"),
             Triple(NoClassDefFoundError("java/awt/Font"), 1, "java/awt/Font"),
+            Triple(
+                NoClassDefFoundError("x").initCause(ClassNotFoundException("org.apache.pekko.actor.typed.ActorSystem")),
+                1,
+                "has no Pekko, which nodes and the engine pekko need",
+            ),
             Triple(ExceptionInInitializerError(IllegalStateException("no fonts")), 1, "no fonts"),
             Triple(
                 IllegalStateException("first\nsecond"),

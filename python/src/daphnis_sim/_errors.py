@@ -58,7 +58,7 @@ def noted(notices: list[str]) -> None:
     """Warns of each of `notices`, at the line outside of this package that called it."""
     depth = 1
     frame = sys._getframe()
-    while frame is not None and frame.f_globals.get("__name__", "").startswith("daphnis."):
+    while frame is not None and frame.f_globals.get("__name__", "").startswith("daphnis_sim."):
         frame, depth = frame.f_back, depth + 1  # type: ignore[assignment]
     for notice in notices:
         warnings.warn(notice, DaphnisWarning, stacklevel=depth)
@@ -142,6 +142,8 @@ def of(e: Any) -> DaphnisError:
         error = RunError(message)
     elif name == "java.lang.OutOfMemoryError":
         error = JavaError("Java has not enough memory; raise it with daphnis.start('-Xmx…') or JAVA_OPTS=-Xmx…")
+    elif name == "java.lang.NoClassDefFoundError" and message.startswith(("org/apache/pekko", "scala/")):
+        error = InputError("the package for Python has no Pekko; any other engine gives the same bits")
     elif isinstance(e, jpype.JClass("java.io.IOException")):
         error = RunError(f"{_last(name)}: {message}")
     else:

@@ -60,7 +60,7 @@ def simulation_of(
     time: float,
     time_step: Any = None,
 ) -> Any:
-    """The ``Simulation`` of `setup` with `given` laws and `time_step` in place of its own, and with `forces` besides."""
+    """The ``Simulation`` of `setup` with `given` laws and `time_step` in place of its own, and `forces` besides."""
     resolved = setup.getScenario()
     engine = java("daphnis.core.run.ScenarioEngine").of(resolved, source, engines())
     restitution, roughness = setup.getRestitution(), setup.getRoughness()

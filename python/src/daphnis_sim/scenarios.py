@@ -61,7 +61,7 @@ class Scenario:
 
     @property
     def kappa(self) -> float:
-        """Radial frequency κ of epicycles, radians per unit of time. Raises InputError where there is no Hill's frame."""
+        """Radial frequency κ of epicycles, radians per unit time. Raises InputError where there is no Hill's frame."""
         return self.omega * float(self._frequencies().getRadialFactor())
 
     @property

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import functools
+import tempfile
 from collections.abc import Iterator
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -11,14 +13,16 @@ from numpy.typing import NDArray
 
 from . import _arrays
 from ._errors import InputError, translated
-from ._jvm import java
+from ._jvm import java, java_path
 from ._paths import shown_path
+from ._version import __version__
 
 if TYPE_CHECKING:
     import pandas as pd
     from matplotlib.axes import Axes
 
     from .runs import Run
+    from .scenarios import Units
 
 
 class State:
@@ -144,7 +148,7 @@ class State:
         import pandas as pd
 
         names = [str(name) for name in self._java.getColumnNames()]
-        places = dict(zip(names, [int(place) for place in self._java.getColumnPlaces()]))
+        places = dict(zip(names, [int(place) for place in self._java.getColumnPlaces()], strict=True))
         table = pd.DataFrame(
             {name: _arrays.of_doubles(self._java.column(place)) for name, place in places.items()},
             index=pd.Index(self.id, name="id"),
@@ -207,8 +211,27 @@ class State:
         ends = self.position[:, axis]
         return float((ends - self.radius).min()), float((ends + self.radius).max())
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        """For ``pickle``: all numbers with their bits, and the units, but not the run. Unpickling starts Java."""
+        with tempfile.TemporaryDirectory() as directory:
+            path = Path(directory) / "state.h5"
+            with translated():
+                java("daphnis.core.format.H5md").write(
+                    java("java.util.List").of(self._java), java_path(path), __version__
+                )
+            return _unpickled, (path.read_bytes(), self.units)
+
     def __repr__(self) -> str:
         return f"<State of {len(self)} spheres at time {self.time:.10g}, step {self.step}>"
+
+
+def _unpickled(content: bytes, units: Units | None) -> State:
+    """The state in the H5MD file `content`."""
+    with tempfile.TemporaryDirectory() as directory:
+        path = Path(directory) / "state.h5"
+        path.write_bytes(content)
+        with translated():
+            return State(java("daphnis.core.format.SnapshotFormats").read(java_path(path)).get(0), units)
 
 
 class States:

@@ -56,7 +56,7 @@ def run(
         seed: of the initial state.
         until: end at this time, in units of time.
         steps: end after this many steps, instead of `until`.
-        engine: "horizon", "islands", "thread-pool", "serial", "actors" or "pekko"; all give the same bits.
+        engine: "horizon", "islands", "thread-pool", "serial" or "actors"; all give the same bits.
         threads: of the engine; one per core without it.
         from_: a state from which to start: a `State` of a run, or a `Run` or its path for its last.
         force: whether a run that is in the directory is replaced.

@@ -1,4 +1,4 @@
-"""``python -m daphnis``: the command line of daphnis, with the jars of the wheel."""
+"""``python -m daphnis_sim``, or ``daphnis-sim``: the command line of daphnis, with the jars of the wheel."""
 
 import os
 import sys

@@ -150,6 +150,21 @@ class Restitution:
     def __call__(self, impact_speed: float) -> float:
         return self.function(impact_speed)
 
+    def table(self, speeds: ArrayLike) -> dict[str, Any]:
+        """The law as a ``restitution`` of a scenario, which computes at the speed of Java's own.
+
+        Between `speeds`, in cm/s and ascending, ε is linear, and constant below and beyond. The function is called with
+        each of them, so it must take cm/s too. Where the scenario's unit of speed is another, its key
+        ``units.speedInCmPerSecond`` says how many it is.
+
+        Raises:
+            InputError: a speed is not finite, or ε is not in [0, 1].
+        """
+        points = _arrays.numbers("speeds", speeds, ("n",)).tolist()
+        function = self.function
+        given = [[v, _coefficient(function, function(v), 0, f"at an impact speed of {v}")] for v in points]
+        return {"type": "table", "points": given}
+
     def proxy(self, failure: PythonFailure) -> Any:
         """What Java calls."""
         function = self.function

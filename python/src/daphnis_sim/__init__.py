@@ -1,6 +1,6 @@
 """daphnis simulates very many colliding spheres, event by event: planetary rings and granular gases.
 
-    import daphnis
+    import daphnis_sim as daphnis
 
     run = daphnis.run("ring-patch", "runs/ring", set={"particles.opticalDepth": 0.5})
     print(run.analyze().numbers)

@@ -1,4 +1,4 @@
-"""``python -m daphnis.kotlin``: the descriptor of daphnis for notebooks with the Kotlin kernel, with the jars here."""
+"""``python -m daphnis_sim.kotlin``: a descriptor for notebooks with the Kotlin kernel, with the jars here."""
 
 from __future__ import annotations
 
