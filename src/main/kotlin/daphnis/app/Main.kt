@@ -79,6 +79,8 @@ internal fun daphnisCommand(): Daphnis {
         RunCommand(),
         ResumeCommand(),
         CompareCommand(),
+        CiteCommand(),
+        ReproduceCommand(),
         ExportCommand(),
         AnalyzeCommand(),
         MovieCommand(),
