@@ -6,6 +6,7 @@ import com.github.ajalt.clikt.parameters.arguments.argument
 import com.github.ajalt.clikt.parameters.options.option
 import daphnis.app.cite.RunCitation
 import daphnis.app.printing.printLine
+import daphnis.app.printing.printLines
 import daphnis.core.run.Run
 import daphnis.core.run.Version
 
@@ -36,7 +37,7 @@ class CiteCommand : CliktCommand(name = "cite") {
         printLine("state digest  ${summary.stateDigest}")
         record?.let { printLine("again         ${Version.command} reproduce $it") }
         printLine("")
-        printLine(bibtex(summary.version))
+        printLines(bibtex(summary.version))
     }
 
     private fun bibtex(version: String) = """

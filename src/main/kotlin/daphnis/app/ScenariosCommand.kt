@@ -4,11 +4,14 @@ import com.github.ajalt.clikt.core.CliktCommand
 import com.github.ajalt.clikt.core.Context
 import com.github.ajalt.clikt.parameters.arguments.argument
 import com.github.ajalt.clikt.parameters.arguments.optional
+import com.github.ajalt.clikt.parameters.options.flag
+import com.github.ajalt.clikt.parameters.options.option
 import daphnis.app.describe.Rows
 import daphnis.app.printing.printLines
 import daphnis.core.scenario.BuiltIn
 import daphnis.core.scenario.InputException
 import daphnis.core.scenario.Nearest
+import daphnis.core.scenario.ScenarioSchema
 
 /** `daphnis scenarios`. */
 class ScenariosCommand : CliktCommand(name = "scenarios") {
@@ -18,16 +21,23 @@ class ScenariosCommand : CliktCommand(name = "scenarios") {
         completionCandidates = Candidates.builtIn,
     ).optional()
 
+    private val schema by option("--schema", help = "print the JSON Schema of scenarios, for editors").flag()
+
     override fun help(context: Context) = "List the built-in scenarios, or print one."
 
     override fun run() {
         val name = wanted
-        if (name == null) {
+        if (schema) {
+            if (name != null) throw InputException("--schema", null, "is of all scenarios; leave out $name")
+            printLines(ScenarioSchema.text().trimEnd())
+        } else if (name == null) {
             val rows = Rows(BuiltIn.names.maxOf { it.length } + 2)
             for (known in BuiltIn.names) rows.add(known, BuiltIn.scenario(known).description)
             printLines(rows.text(outputColumns() ?: Int.MAX_VALUE))
         } else {
-            printLines((BuiltIn.text(name) ?: throw unknown(name)).trimEnd())
+            val text = BuiltIn.text(name) ?: throw unknown(name)
+            val named = "{\n  \"${ScenarioSchema.KEY}\": \"${ScenarioSchema.ADDRESS}\","
+            printLines(text.trimEnd().replaceFirst(Regex("(?m)^\\{"), Regex.escapeReplacement(named)))
         }
     }
 

@@ -7,6 +7,7 @@ import kotlinx.serialization.SerializationException
 import kotlinx.serialization.json.Json
 import kotlinx.serialization.json.JsonElement
 import kotlinx.serialization.json.JsonNull
+import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.intOrNull
 import kotlinx.serialization.json.jsonObject
 import kotlinx.serialization.json.jsonPrimitive
@@ -36,7 +37,7 @@ public object ScenarioJson {
     @JvmStatic
     @JvmOverloads
     public fun parse(text: String, source: String, settings: List<String> = emptyList()): Scenario = try {
-        val tree = Settings.apply(parseTree(text.removePrefix("\uFEFF"), source), settings)
+        val tree = Settings.apply(withoutSchema(parseTree(text.removePrefix("\uFEFF"), source)), settings)
         SchemaCheck(source).check(tree, Scenario.serializer().descriptor)
         checkOutput(tree, source)
         json.decodeFromJsonElement(Scenario.serializer(), tree)
@@ -110,6 +111,10 @@ public object ScenarioJson {
     } catch (e: SerializationException) {
         throw malformed(e, text, source)
     }
+
+    /** A file may name its [schema][ScenarioSchema], for editors. */
+    private fun withoutSchema(tree: JsonElement) =
+        if (tree is JsonObject && ScenarioSchema.KEY in tree) JsonObject(tree - ScenarioSchema.KEY) else tree
 
     private fun malformed(e: SerializationException, text: String, source: String): InputException {
         if (text.isBlank()) {
