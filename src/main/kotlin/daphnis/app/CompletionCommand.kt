@@ -16,6 +16,37 @@ class CompletionCommand : CliktCommand(name = "completion") {
     override fun run() {
         val script = CompletionGenerator.generateCompletionForCommand(currentContext.findRoot().command, shell)
         // A directory is completed with a slash, and blanks in names are quoted.
-        printLines(script.replace("\ncomplete -F ", "\ncomplete -o filenames -F "))
+        val quoted = script.replace("\ncomplete -F ", "\ncomplete -o filenames -F ")
+        printLines(if (shell == "zsh") quoted.replace(REGISTRATION, ZSH_WORDS + REGISTRATION_OF_ZSH) else quoted)
+    }
+
+    private companion object {
+        const val REGISTRATION = "\ncomplete -o filenames -F _daphnis daphnis"
+        const val REGISTRATION_OF_ZSH = "\ncomplete -o filenames -F _daphnis_zsh daphnis"
+
+        /** The script is for words as bash parts them, at equals signs too; zsh has `--engine=h` as one. */
+        val ZSH_WORDS = "\n" + """
+            _daphnis_zsh() {
+                local -a parted
+                local k=0 word='' option=''
+                parted=()
+                while [[ ${'$'}{k} -le ${'$'}COMP_CWORD ]]; do
+                    word="${'$'}{COMP_WORDS[${'$'}k]}"
+                    option=''
+                    case "${'$'}word" in
+                        --*=*)
+                            option="${'$'}{word%%=*}="
+                            parted+=("${'$'}{word%%=*}" "=" "${'$'}{word#*=}")
+                            ;;
+                        *) parted+=("${'$'}word") ;;
+                    esac
+                    (( k = k + 1 ))
+                done
+                COMP_WORDS=("${'$'}{parted[@]}")
+                COMP_CWORD=${'$'}(( ${'$'}{#parted[@]} - 1 ))
+                _daphnis
+                if [[ -n "${'$'}option" ]]; then COMPREPLY=("${'$'}{COMPREPLY[@]/#/${'$'}option}"); fi
+            }
+        """.trimIndent() + "\n"
     }
 }
