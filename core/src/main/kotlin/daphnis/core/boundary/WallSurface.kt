@@ -42,18 +42,43 @@ public sealed class WallSurface(public val face: WallFace, public val roughness:
 
     /** Distance of the point ([x], [y], [z]) from the surface at [time], negative beyond it. */
     @JvmOverloads
-    public fun distance(x: Double, y: Double, z: Double, time: Double = 0.0): Double {
+    public fun distance(x: Double, y: Double, z: Double, time: Double = 0.0): Double =
+        across(x, y, z, time) { px, py, pz, along ->
+            val far = sqrt(px * px + py * py + pz * pz)
+            if (isPlane) {
+                along
+            } else if (side == RoomSide.INSIDE) {
+                radius - far
+            } else {
+                far - radius
+            }
+        }
+
+    /** Writes the unit normal into the room at the point ([x], [y], [z]) to [into]; 0 on the axis or in the centre. */
+    internal fun normal(x: Double, y: Double, z: Double, time: Double, into: DoubleArray) {
+        across(x, y, z, time) { px, py, pz, _ ->
+            val far = sqrt(px * px + py * py + pz * pz)
+            val by = if (far == 0.0) 0.0 else (if (side == RoomSide.INSIDE) -1.0 else 1.0) / far
+            into[0] = if (isPlane) direction[0] else by * px
+            into[1] = if (isPlane) direction[1] else by * py
+            into[2] = if (isPlane) direction[2] else by * pz
+        }
+    }
+
+    /** Tells [use] where a point is from the axis or the centre, and how far it is along the axis or the normal. */
+    private inline fun <T> across(
+        x: Double,
+        y: Double,
+        z: Double,
+        time: Double,
+        use: (px: Double, py: Double, pz: Double, along: Double) -> T,
+    ): T {
         val moved = face.motion?.displacement(time) ?: 0.0
         val dx = x - origin[0] - moved * way[0]
         val dy = y - origin[1] - moved * way[1]
         val dz = z - origin[2] - moved * way[2]
         val along = dx * direction[0] + dy * direction[1] + dz * direction[2]
-        if (isPlane) return along
-        val px = dx - along * direction[0]
-        val py = dy - along * direction[1]
-        val pz = dz - along * direction[2]
-        val far = sqrt(px * px + py * py + pz * pz)
-        return if (side == RoomSide.INSIDE) radius - far else far - radius
+        return use(dx - along * direction[0], dy - along * direction[1], dz - along * direction[2], along)
     }
 
     protected fun requireSelf() {

@@ -72,6 +72,8 @@ public class Walls @JvmOverloads constructor(
 
     override fun wallRoughness(face: Int): Roughness? = roughness.getOrNull(face)
 
+    override val volume: Double by lazy { if (surfaces.isEmpty()) box.volume else RoomVolume(box, surfaces).value() }
+
     override fun contactFaces(axis: Int): ContactFaces = kinds[axis]
 
     private companion object {

@@ -4,6 +4,7 @@ import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.hasMovingWalls
 import daphnis.core.boundary.roomAt
+import daphnis.core.boundary.roomIn
 import daphnis.core.compression.GrownPlacement
 import daphnis.core.format.Snapshot
 import daphnis.core.initial.Crowding
@@ -52,10 +53,13 @@ internal class InitialState(
         val spec =
             scenario.particles ?: check.fail("particles", "is missing; it is needed unless the placement is a file")
         val kinds = SphereKind.of(spec, box.space, check)
-        val drawn = DrawnRadii(spec, kinds, box, check) { stream(SIZES) }.draw()
+        val drawn = DrawnRadii(spec, kinds, box, check, boundary.roomIn(box)) { stream(SIZES) }.draw()
         val radii = drawn.radii
         val bodies = Bodies(scenario.bodies, spec, box.space, check)
         val positions = try {
+            check.must("placement", boundary.surfaces.isEmpty() || placement is PlacementSpec.Random) {
+                "must be random, or a file, in a room with boundary.surfaces"
+            }
             if (placement is PlacementSpec.Lattice) {
                 check.must("bodies", scenario.bodies.isEmpty()) { "need random placement, which goes around them" }
                 lattice(placement).place(radii, room, walled(), stream(PLACES))
@@ -79,7 +83,7 @@ internal class InitialState(
                 RandomPlacement(
                     obstacles = bodies.obstacles,
                     threads = scenario.engine.threadsAtStart,
-                ).place(radii, room, walled(), stream(PLACES))
+                ).within(boundary.surfaces, scenario.startTime).place(radii, room, walled(), stream(PLACES))
             }
         } catch (e: PlacementException) {
             val (key, value) = spec.amount(radii.size)

@@ -4,6 +4,7 @@ import daphnis.core.FixedTimeStep
 import daphnis.core.TimeStep
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.ContactFaces
+import daphnis.core.boundary.RoomSide
 import daphnis.core.boundary.ShearedPeriodic
 import daphnis.core.boundary.WallMotion
 import daphnis.core.boundary.leastRoom
@@ -60,6 +61,7 @@ internal class StartCheck(
             }
             if (boundary.contactFaces(axis) != ContactFaces.OPEN) checkInside(axis)
         }
+        checkSurfaces(largest)
         if (isKnown) {
             checkSlide(timeStep)
             checkJumps(timeStep)
@@ -121,6 +123,23 @@ internal class StartCheck(
         check.must("timeStep", falls <= MOST_CYCLES) {
             "is so long that spheres fall $falls times through the room across ${"xyz"[axis]} in a step; " +
                 "take a smaller dt"
+        }
+    }
+
+    private fun checkSurfaces(largest: Double) {
+        for ((n, surface) in boundary.surfaces.withIndex()) {
+            val key = "${WallSurfaceSpec.KEY}[$n]"
+            check.must("$key.radius", surface.side == RoomSide.OUTSIDE || surface.radius > largest) {
+                "is ${surface.radius}; it must exceed that of the largest sphere, $largest"
+            }
+            for (k in 0 until population.size) {
+                val p = population
+                val free = surface.distance(p.x[k], p.y[k], p.z[k], scenario.startTime)
+                check.must(placedBy(k), free >= p.radius[k] * (1 - TOLERANCE)) {
+                    "particle ${p.id[k]} at (${p.x[k]} ${p.y[k]} ${p.z[k]}) with radius ${p.radius[k]} reaches out of " +
+                        "the room, beyond $key, a $surface"
+                }
+            }
         }
     }
 
