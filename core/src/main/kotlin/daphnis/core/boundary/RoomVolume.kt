@@ -5,7 +5,7 @@ import kotlin.math.sqrt
 
 /**
  * The volume, or in the plane the area, of what [surfaces] leave of a [box]: exact for a single cylinder or sphere that
- * lies in the box, and elsewhere to some 1e-5 of the box, by the lengths of parallel lines in the room.
+ * lies in the box, and elsewhere to some 1e-4 of the box, by the lengths of parallel lines in the room.
  */
 internal class RoomVolume(private val box: Box, private val surfaces: List<WallSurface>) {
     private val isPlane = box.space.isPlane
@@ -109,6 +109,6 @@ internal class RoomVolume(private val box: Box, private val surfaces: List<WallS
     }
 
     private companion object {
-        const val LINES = 1000
+        const val LINES = 600
     }
 }

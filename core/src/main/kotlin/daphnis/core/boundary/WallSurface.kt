@@ -144,7 +144,9 @@ public sealed class WallSurface(public val face: WallFace, public val roughness:
         override fun isSameAlong(axis: Int): Boolean = abs(direction[axis]) == 1.0
 
         override fun encloses(axis: Int, lower: Double, upper: Double): Boolean = side == RoomSide.INSIDE &&
-            direction[axis] == 0.0 && origin[axis] - radius >= lower && origin[axis] + radius <= upper
+            direction[axis] == 0.0 &&
+            origin[axis] - radius >= lower &&
+            origin[axis] + radius <= upper
 
         override fun toString(): String =
             "cylinder of radius $radius along ${direction.toList()}, room ${side.name.lowercase()}"
@@ -182,7 +184,8 @@ public sealed class WallSurface(public val face: WallFace, public val roughness:
         override fun isSameAlong(axis: Int): Boolean = false
 
         override fun encloses(axis: Int, lower: Double, upper: Double): Boolean = side == RoomSide.INSIDE &&
-            origin[axis] - radius >= lower && origin[axis] + radius <= upper
+            origin[axis] - radius >= lower &&
+            origin[axis] + radius <= upper
 
         override fun toString(): String = "sphere of radius $radius, room ${side.name.lowercase()}"
     }

@@ -40,7 +40,9 @@ public class Walls @JvmOverloads constructor(
         requireForEach("faces", faces)
         for (surface in surfaces) requireFits(surface)
         for (face in faces.indices) {
-            require(faces[face] == null || contactFaces(face shr 1) == ContactFaces.WALL) { "face $face is not a wall and has nothing of its own" }
+            require(faces[face] == null || contactFaces(face shr 1) == ContactFaces.WALL) {
+                "face $face is not a wall and has nothing of its own"
+            }
             require(faces[face]?.temperature == null || wallRoughness(face) == null) {
                 "the wall at face $face is thermal; it cannot be rough"
             }

@@ -151,15 +151,7 @@ internal class SurfaceWall(
     }
 
     /** The least second derivative of the gap in the time [rest] from now on, where **q** and its rate are given. */
-    private fun bending(
-        qx: Double,
-        qy: Double,
-        qz: Double,
-        wx: Double,
-        wy: Double,
-        wz: Double,
-        rest: Double,
-    ): Double {
+    private fun bending(qx: Double, qy: Double, qz: Double, wx: Double, wy: Double, wz: Double, rest: Double): Double {
         val w2 = wx * wx + wy * wy + wz * wz
         if (isExact) return -2 * sign * w2
         if (shaking > 0.0) {

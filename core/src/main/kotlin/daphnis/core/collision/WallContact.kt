@@ -109,7 +109,7 @@ public class WallContact {
     internal fun timeOfSurface(rows: StepRows, slot: Int, k: Int): Double = surfaces[k].time(rows, slot)
 
     /** The same for a face or a surface by its number. */
-    internal fun timeOfAny(rows: StepRows, slot: Int, face: Int): Double =
+    public fun timeOfAny(rows: StepRows, slot: Int, face: Int): Double =
         if (face < FACES) time(rows, slot, face) else timeOfSurface(rows, slot, face - FACES)
 
     /** Surface [k], for steps that cover the time [span] from the start of this one. */

@@ -70,7 +70,8 @@ public sealed interface BoundarySpec {
 
         /** The same; thermal walls draw by [seed]. */
         internal fun conditions(box: Box, source: String, seed: Long): BoundaryConditions {
-            val known = (axes.isNotEmpty() || surfaces.isNotEmpty()) && axes.all { it in AXES } &&
+            val known = (axes.isNotEmpty() || surfaces.isNotEmpty()) &&
+                axes.all { it in AXES } &&
                 axes.toSet().size == axes.length
             val check = ValueCheck(source)
             check.that("boundary.axes", axes, known) { "must name axes, such as xyz or z" }

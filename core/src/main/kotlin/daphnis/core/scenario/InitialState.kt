@@ -2,6 +2,7 @@ package daphnis.core.scenario
 
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
+import daphnis.core.boundary.RoomSide
 import daphnis.core.boundary.hasMovingWalls
 import daphnis.core.boundary.roomAt
 import daphnis.core.boundary.roomIn
@@ -60,6 +61,7 @@ internal class InitialState(
             check.must("placement", boundary.surfaces.isEmpty() || placement is PlacementSpec.Random) {
                 "must be random, or a file, in a room with boundary.surfaces"
             }
+            checkRadii(radii)
             if (placement is PlacementSpec.Lattice) {
                 check.must("bodies", scenario.bodies.isEmpty()) { "need random placement, which goes around them" }
                 lattice(placement).place(radii, room, walled(), stream(PLACES))
@@ -109,6 +111,16 @@ internal class InitialState(
             smooth.withMaterial(drawn.kinds + materials.ofBodies(), materials.names)
         }
         return InitialSpins(scenario, boundary, check).drawn(made, scenario.bodies.size, stream(SPINS))
+    }
+
+    private fun checkRadii(radii: DoubleArray) {
+        for ((k, surface) in boundary.surfaces.withIndex()) {
+            val most = radii.max()
+            val fits = surface.side == RoomSide.OUTSIDE || surface.radius > most
+            check.that("${WallSurfaceSpec.KEY}[$k].radius", surface.radius, fits) {
+                "must exceed that of the largest sphere, $most"
+            }
+        }
     }
 
     private fun ParticlesSpec.amount(all: Int): Pair<String, Any> = when {

@@ -4,7 +4,6 @@ import daphnis.core.FixedTimeStep
 import daphnis.core.TimeStep
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.ContactFaces
-import daphnis.core.boundary.RoomSide
 import daphnis.core.boundary.ShearedPeriodic
 import daphnis.core.boundary.WallMotion
 import daphnis.core.boundary.leastRoom
@@ -61,7 +60,7 @@ internal class StartCheck(
             }
             if (boundary.contactFaces(axis) != ContactFaces.OPEN) checkInside(axis)
         }
-        checkSurfaces(largest)
+        checkSurfaces()
         if (isKnown) {
             checkSlide(timeStep)
             checkJumps(timeStep)
@@ -126,12 +125,9 @@ internal class StartCheck(
         }
     }
 
-    private fun checkSurfaces(largest: Double) {
+    private fun checkSurfaces() {
         for ((n, surface) in boundary.surfaces.withIndex()) {
             val key = "${WallSurfaceSpec.KEY}[$n]"
-            check.must("$key.radius", surface.side == RoomSide.OUTSIDE || surface.radius > largest) {
-                "is ${surface.radius}; it must exceed that of the largest sphere, $largest"
-            }
             for (k in 0 until population.size) {
                 val p = population
                 val free = surface.distance(p.x[k], p.y[k], p.z[k], scenario.startTime)

@@ -162,7 +162,13 @@ internal fun WallSurfaceSpec.surface(key: String, check: ValueCheck): WallSurfac
             check.extent("$key.radius", radius)
             check.speed("$key.angularVelocity", angularVelocity * radius)
             WallSurface.Cylinder(
-                vector("point", point), direction("axis", axis), radius, room.side, face(null), law, angularVelocity,
+                vector("point", point),
+                direction("axis", axis),
+                radius,
+                room.side,
+                face(null),
+                law,
+                angularVelocity,
             )
         }
         is WallSurfaceSpec.Sphere -> {

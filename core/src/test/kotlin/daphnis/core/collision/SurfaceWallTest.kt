@@ -64,8 +64,11 @@ class SurfaceWallTest {
                 0 -> WallSurface.Plane(c, vector(), WallFace(motion = motion))
                 1 -> WallSurface.Cylinder(c, axis, random.nextDouble(1.0, 3.0), side)
                 else -> WallSurface.Sphere(
-                    c, random.nextDouble(1.0, 3.0), side,
-                    WallFace(motion = motion.takeIf { side == RoomSide.OUTSIDE }), along = vector(),
+                    c,
+                    random.nextDouble(1.0, 3.0),
+                    side,
+                    WallFace(motion = motion.takeIf { side == RoomSide.OUTSIDE }),
+                    along = vector(),
                 )
             }
         }
@@ -73,7 +76,14 @@ class SurfaceWallTest {
         val rows = StepRows().apply {
             fun column(value: Double) = doubleArrayOf(value)
             val one = Population(
-                column(x[0]), column(x[1]), column(x[2]), column(v[0]), column(v[1]), column(v[2]), column(r), column(1.0),
+                column(x[0]),
+                column(x[1]),
+                column(x[2]),
+                column(v[0]),
+                column(v[1]),
+                column(v[2]),
+                column(r),
+                column(1.0),
             )
             load(one, intArrayOf(0), duration, tracksLastCollision = false)
         }
@@ -174,7 +184,14 @@ class SurfaceWallTest {
         val rows = StepRows()
         fun column(value: Double) = doubleArrayOf(value)
         val one = Population(
-            column(x), column(y), column(0.0), column(1.0), column(0.0), column(0.0), column(0.5), column(1.0),
+            column(x),
+            column(y),
+            column(0.0),
+            column(1.0),
+            column(0.0),
+            column(0.0),
+            column(0.5),
+            column(1.0),
         )
         rows.load(one, intArrayOf(0), 100.0, tracksLastCollision = false)
         val wall = WallContact()
@@ -213,6 +230,7 @@ class SurfaceWallTest {
             if (c.surface.isPlane) continue
             val q = DoubleArray(3) { s[it] - c.surface.origin[it] }
             val d = c.surface.direction
+
             // L of the sphere, and its part along the axis of a cylinder.
             fun spin(u: DoubleArray) = doubleArrayOf(
                 q[1] * u[2] - q[2] * u[1],

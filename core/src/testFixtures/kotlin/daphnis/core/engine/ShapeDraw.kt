@@ -99,7 +99,13 @@ class ShapeDraw(seed: Long) {
         val centre = listOf(0.0, 0.0, 0.0)
         val turning = random.nextGaussian() / radius
         return WallSurface.Cylinder(
-            centre, axis, radius * (1 + 1e-9), RoomSide.INSIDE, face(null, roughness), roughness, turning,
+            centre,
+            axis,
+            radius * (1 + 1e-9),
+            RoomSide.INSIDE,
+            face(null, roughness),
+            roughness,
+            turning,
         )
     }
 

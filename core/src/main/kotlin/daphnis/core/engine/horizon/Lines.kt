@@ -193,7 +193,13 @@ internal class Lines(private val frame: EpochFrame) : GrowingTable() {
         }
         for (surface in frame.surfaces) {
             val wait = surface.soonest(
-                at(i, 0, t), at(i, 1, t), at(i, 2, t), velocity(i, 0), velocity(i, 1), velocity(i, 2), r,
+                at(i, 0, t),
+                at(i, 1, t),
+                at(i, 2, t),
+                velocity(i, 0),
+                velocity(i, 1),
+                velocity(i, 2),
+                r,
             )
             first = minOf(first, t + wait)
         }

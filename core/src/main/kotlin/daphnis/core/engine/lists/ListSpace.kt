@@ -136,7 +136,8 @@ internal class ListSpace : CellAxes() {
         private const val MOST_AWAY = 3.0
 
         /** Whether there can be lists: images that slide, and walls, are for others. */
-        fun accepts(boundary: BoundaryConditions): Boolean = boundary.shear == null && boundary.surfaces.isEmpty() &&
+        fun accepts(boundary: BoundaryConditions): Boolean = boundary.shear == null &&
+            boundary.surfaces.isEmpty() &&
             (0 until AXES).all { boundary.contactFaces(it) != ContactFaces.WALL }
 
         /** The part of the volume that [spheres] fill; along an axis without images, of that in which they are. */
