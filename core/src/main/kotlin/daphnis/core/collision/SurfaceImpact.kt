@@ -81,7 +81,8 @@ internal class SurfaceImpact(
         // Without a square root, that would cost energy, unless the speed is that needed.
         val isFree = coefficient * speed >= needed
         val factor = if (isFree) -(1.0 + coefficient) * rate / (length * length) else (speed + leaving) / length
-        exchange(rows, slot, time, slope, moving, nx / length, ny / length, nz / length, factor * length, coefficient, outcome)
+        val kick = factor * length
+        exchange(rows, slot, time, slope, moving, nx / length, ny / length, nz / length, kick, coefficient, outcome)
     }
 
     /**
@@ -157,7 +158,8 @@ internal class SurfaceImpact(
         val sz = glide(2, nx, ny, nz) + moving * surface.way[2]
         if (thermal == null) {
             val roughness = surface.roughness!!
-            law.spins.reflect(rows, roughness, slot, -nx, -ny, -nz, sx, sy, sz, speed, coefficient, time, outcome.contact)
+            val contact = outcome.contact
+            law.spins.reflect(rows, roughness, slot, -nx, -ny, -nz, sx, sy, sz, speed, coefficient, time, contact)
             return
         }
         val leaving = thermal.draw(rows, slot, time, nx, ny, nz, sx, sy, sz)

@@ -132,8 +132,8 @@ internal class StartCheck(
                 val p = population
                 val free = surface.distance(p.x[k], p.y[k], p.z[k], scenario.startTime)
                 check.must(placedBy(k), free >= p.radius[k] * (1 - TOLERANCE)) {
-                    "particle ${p.id[k]} at (${p.x[k]} ${p.y[k]} ${p.z[k]}) with radius ${p.radius[k]} reaches out of " +
-                        "the room, beyond $key, a $surface"
+                    "particle ${p.id[k]} at (${p.x[k]} ${p.y[k]} ${p.z[k]}) with radius ${p.radius[k]} reaches out " +
+                        "of the room, beyond $key, a $surface"
                 }
             }
         }

@@ -126,7 +126,8 @@ class WallSurfaceSpecTest {
 
     @Test
     fun `a plastic surface gets a guard against collapse, and its words are told`() {
-        val plastic = """{"type": "cylinder", "axis": [0, 1, 0], "radius": 5, "restitution": 0.5, "angularVelocity": 2}"""
+        val plastic =
+            """{"type": "cylinder", "axis": [0, 1, 0], "radius": 5, "restitution": 0.5, "angularVelocity": 2}"""
         assertTrue(setup(text(plastic)).scenario.guard is GuardSpec.FloorSpeed)
         assertTrue(setup(text(drum)).scenario.guard is GuardSpec.None)
         val words = setup(text(plastic)).scenario.boundary.inWords({ "$it" }, { "$it" })
