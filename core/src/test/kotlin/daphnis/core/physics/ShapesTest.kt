@@ -134,30 +134,35 @@ class ShapesTest {
         for (k in 0..2) assertEquals(before[k], momentum()[k], 1e-12)
     }
 
-    /** Whether a grain that starts at the bottom of a cylinder with v² = [part] g ρ comes around on the wall. */
-    private fun loops(part: Double, isRough: Boolean): Boolean {
+    private enum class Start { SLIDING, ROLLING, CARRIED }
+
+    /**
+     * Whether a grain that starts at the bottom of a cylinder with v² = [part] g ρ comes around on the wall: where it
+     * slides or rolls on a wall at rest, and where a wall that turns carries it.
+     */
+    private fun loops(part: Double, start: Start, factor: Double = 0.4): Boolean {
         val rho = 4.5
         val v = sqrt(part * rho)
-        val roughness = if (isRough) CoulombRoughness(100.0, 0.0) else null
+        val turns = if (start == Start.CARRIED) v / rho else 0.0
         val drum = WallSurface.Cylinder(
             origin,
             alongX,
             5.0,
             face = WallFace(restitution = 0.0),
-            roughness = roughness,
-            angularVelocity = 0.0,
+            roughness = if (start == Start.SLIDING) null else CoulombRoughness(100.0, 0.0),
+            angularVelocity = turns,
         )
         val walls = Walls(Box.centred(8.0, 10.0, 10.0), surfaces = listOf(drum))
         fun column(x: Double) = doubleArrayOf(x)
-        val zero = column(0.0)
+        val none = column(0.0)
         val smooth =
-            Population(zero, column(0.0), column(-rho), column(0.0), column(v), column(0.0), column(0.5), column(1.0))
-        // It rolls: its spin makes the surface rest where it touches.
-        val p = if (isRough) smooth.withSpin(column(-v / 0.5), column(0.0), column(0.0)) else smooth
-        val forcing = CollisionForcing(ConstantRestitution(1.0))
-        val simulation =
-            Simulation(p, walls, forcing, FixedTimeStep(0.005), listOf(UniformAcceleration(0.0, 0.0, -1.0)))
-        // Once to the top, and away from the wall if it falls.
+            Population(none, column(0.0), column(-rho), column(0.0), column(v), column(0.0), column(0.5), column(1.0))
+        // Its surface moves with the wall where it touches.
+        val spin = if (start == Start.ROLLING) -v / 0.5 else turns
+        val p = if (start == Start.SLIDING) smooth else smooth.withSpin(column(spin), column(0.0), column(0.0))
+        val forcing = CollisionForcing(ConstantRestitution(1.0), momentFactor = factor)
+        val forces = listOf(UniformAcceleration(0.0, 0.0, -1.0))
+        val simulation = Simulation(p, walls, forcing, FixedTimeStep(0.005), forces)
         while (simulation.time < 12) {
             simulation.advance()
             val far = sqrt(p.y[0] * p.y[0] + p.z[0] * p.z[0])
@@ -167,13 +172,17 @@ class ShapesTest {
     }
 
     @Test
-    fun `a grain goes through a loop if it is fast enough, and a rolling one sooner`() {
-        // v² = 5 gρ; of a solid sphere that rolls, whose speed at the top is less by 4 gρ/(1 + 2/5), 27/7 gρ. What is only a little too slow
-        // leaves the wall by less than is asked for here.
-        assertTrue(loops(5.05, isRough = false))
-        assertTrue(!loops(4.6, isRough = false))
-        assertTrue(loops(27.0 / 7 + 0.05, isRough = true))
-        assertTrue(!loops(3.5, isRough = true))
+    fun `a grain goes through a loop if it is fast enough, and one that rolls or is carried sooner`() {
+        // v² = 5 gρ. One that rolls, with the moment of inertia q m r², is slower at the top by 4 gρ/(1 + q). What is
+        // only a little too slow leaves the wall by less than is asked for here.
+        assertTrue(loops(5.05, Start.SLIDING))
+        assertTrue(!loops(4.6, Start.SLIDING))
+        for (q in listOf(0.4, 2.0 / 3)) {
+            for (start in listOf(Start.ROLLING, Start.CARRIED)) {
+                assertTrue(loops(1 + 4 / (1 + q) + 0.05, start, q)) { "$start with $q" }
+                assertTrue(!loops(1 + 4 / (1 + q) - 0.35, start, q)) { "$start with $q" }
+            }
+        }
     }
 
     @Test
