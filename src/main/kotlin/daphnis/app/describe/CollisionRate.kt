@@ -45,19 +45,19 @@ internal class CollisionRate private constructor(val least: Double, val most: Do
 
         private fun enskog(setup: ScenarioSetup): Double {
             val radii = setup.population.radius
-            val box = setup.boundary.box
-            if (radii.isEmpty() || !box.volume.isFinite()) return 0.0
+            val room = setup.boundary
+            if (radii.isEmpty() || !room.volume.isFinite()) return 0.0
             val temperature = granularTemperature(setup.population, setup.boundary, setup.scenario.firstBody)
             val mean = radii.average()
-            if (box.space.isPlane) {
+            if (room.space.isPlane) {
                 // Henderson 1975, Mol. Phys. 30, 971.
-                val part = minOf(fillingFactor(radii, box), FULL)
+                val part = minOf(fillingFactor(radii, room), FULL)
                 val contact = (1 - 7.0 / 16 * part) / ((1 - part) * (1 - part))
-                return 2 * sqrt(PI * temperature) * radii.size / box.volume * 2 * mean * contact
+                return 2 * sqrt(PI * temperature) * radii.size / room.volume * 2 * mean * contact
             }
             val squares = 2 * (radii.sumOf { it * it } / radii.size + mean * mean)
-            return 4 * sqrt(PI * temperature) * radii.size / box.volume * squares *
-                correlation(fillingFactor(radii, box))
+            return 4 * sqrt(PI * temperature) * radii.size / room.volume * squares *
+                correlation(fillingFactor(radii, room))
         }
 
         /** At contact. */

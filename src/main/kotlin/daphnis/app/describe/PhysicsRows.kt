@@ -120,9 +120,11 @@ internal class PhysicsRows(private val setup: ScenarioSetup, private val say: Qu
 
     private fun fullness() {
         val radii = DoubleArray(particles.size) { population.radius[particles[it]] }
-        val open = (0 until box.space.dimensions).any { setup.boundary.contactFaces(it) == ContactFaces.OPEN }
+        val open =
+            setup.boundary.surfaces.isEmpty() &&
+                (0 until box.space.dimensions).any { setup.boundary.contactFaces(it) == ContactFaces.OPEN }
         val name = if (box.space.isPlane) "area fraction" else "filling factor"
-        rows.add(name, number(fillingFactor(radii, box)) + if (open) " of the box at the start" else "")
+        rows.add(name, number(fillingFactor(radii, setup.boundary)) + if (open) " of the box at the start" else "")
         setup.angularSpeed ?: return
         val area = box.length(0) * box.length(1)
         rows.add("optical depth", number(radii.sumOf { Math.PI * it * it } / area))

@@ -76,6 +76,12 @@ public interface BoundaryConditions : Kinematics {
      */
     public fun wallRoughness(face: Int): Roughness? = null
 
+    /** Walls that are not faces of the box. Each is the same everywhere along every axis that has images. */
+    public val surfaces: List<WallSurface> get() = emptyList()
+
+    /** Volume of the room, in the plane its area: that of the [box], less what [surfaces] cut off at time 0. */
+    public val volume: Double get() = box.volume
+
     /**
      * Brings [population] back into the box at the end of a step that ended at [time]: may change positions and
      * velocities and may remove spheres, but not radii, masses, ids or the order of those that stay. The result for

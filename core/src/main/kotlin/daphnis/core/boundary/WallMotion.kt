@@ -179,7 +179,14 @@ public sealed class WallMotion {
 
 /** Whether any wall moves or is thermal. */
 internal val BoundaryConditions.hasDrivenWalls: Boolean
-    get() = hasMovingWalls || (0 until 2 * AXES).any { wallTemperature(it) != null }
+    get() = hasMovingWalls || (0 until 2 * AXES).any { wallTemperature(it) != null } || surfaces.any { it.isDriven }
+
+/** The volume of the room in [box], which is that of this boundary unless that is open. */
+internal fun BoundaryConditions.roomIn(box: Box): Double = if (surfaces.isEmpty()) box.volume else volume
+
+/** Whether any wall is rough. */
+internal val BoundaryConditions.hasRoughWalls: Boolean
+    get() = (0 until 2 * AXES).any { wallRoughness(it) != null } || surfaces.any { it.roughness != null }
 
 /** Whether any wall moves. */
 internal val BoundaryConditions.hasMovingWalls: Boolean get() = (0 until 2 * AXES).any { wallMotion(it) != null }

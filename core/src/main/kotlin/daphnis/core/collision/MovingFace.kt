@@ -117,28 +117,12 @@ internal class MovingFace(private val isLower: Boolean, private val motion: Wall
         while (true) {
             val gap = inward * (x + v * (t - from) - position(t)) - r
             val rate = inward * (v - velocity(t))
-            val wait = wait(gap, rate, bending, isExact)
+            val wait = waitForGap(gap, rate, bending, isExact)
             if (wait == 0.0) return t
             val next = t + wait
             if (isExact || next > duration || next >= end) return next
             t = maxOf(next, t + grain)
         }
-    }
-
-    /** How long the gap stays open, or the sphere moves away, at least, see [MovingFace]. */
-    private fun wait(gap: Double, rate: Double, bending: Double, isExact: Boolean): Double {
-        if (gap <= 0.0) {
-            if (rate < 0.0) return 0.0
-            if (bending >= 0.0) return NEVER
-            // It touches, or overlaps by rounding, and leaves.
-            if (!isExact) return rate / -bending
-            return (rate + sqrt(maxOf(rate * rate - 2 * bending * gap, 0.0))) / -bending
-        }
-        if (bending >= 0.0 && rate >= 0.0) return NEVER
-        val square = rate * rate - 2 * bending * gap
-        if (square < 0.0) return NEVER
-        val root = sqrt(square)
-        return if (rate <= 0.0) 2 * gap / (root - rate) else (rate + root) / -bending
     }
 
     /** The speed at which a sphere at [t] with the velocity [v] along the axis comes nearer; below 0 when it leaves. */
@@ -163,16 +147,16 @@ internal class MovingFace(private val isLower: Boolean, private val motion: Wall
     /** [speed], or the least that can be told from the velocity of the wall at [t]. */
     fun apart(speed: Double, t: Double): Double = maxOf(speed, VELOCITY_ROUNDING * abs(velocity(t)))
 
-    private companion object {
-        const val GRAIN = 1e-15
-        const val ALMOST = 1 - 1e-12
+    companion object {
+        private const val GRAIN = 1e-15
+        private const val ALMOST = 1 - 1e-12
 
         /** That speeds which follow from it are small for those of the wall. */
         const val PART_OF_CYCLE = 1.0 / 64
 
         /** Relative to the change of speed in that time, by the acceleration towards the wall. */
         const val LEAST_INELASTIC = 1.0 / 16
-        const val LEAST_ELASTIC = 1e-3
-        const val VELOCITY_ROUNDING = 1e-15
+        private const val LEAST_ELASTIC = 1e-3
+        private const val VELOCITY_ROUNDING = 1e-15
     }
 }

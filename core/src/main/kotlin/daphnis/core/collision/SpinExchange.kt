@@ -157,9 +157,70 @@ internal class SpinExchange(private val momentFactor: Double, private val turnin
         val wy = r * (cosine * rows.wy[slot] - sine * rows.wx[slot])
         val wz = r * rows.wz[slot]
         // Of the wall relative to the sphere's surface.
-        var gx = if (axis == 0) 0.0 else -state[p] - (wy * nz - wz * ny)
-        var gy = if (axis == 1) 0.0 else -state[p + 1] - (wz * nx - wx * nz)
-        var gz = if (axis == 2) 0.0 else -state[p + 2] - (wx * ny - wy * nx)
+        val gx = if (axis == 0) 0.0 else -state[p] - (wy * nz - wz * ny)
+        val gy = if (axis == 1) 0.0 else -state[p + 1] - (wz * nx - wx * nz)
+        val gz = if (axis == 2) 0.0 else -state[p + 2] - (wx * ny - wy * nx)
+        rubWall(rows, roughness, slot, nx, ny, nz, gx, gy, gz, normalSpeed, restitution, time, contact)
+    }
+
+    /**
+     * The same on a wall beyond the unit vector ([nx], [ny], [nz]) from the sphere, whose surface moves with
+     * ([sx], [sy], [sz]), along itself or not.
+     */
+    fun reflect(
+        rows: StepRows,
+        roughness: Roughness,
+        slot: Int,
+        nx: Double,
+        ny: Double,
+        nz: Double,
+        sx: Double,
+        sy: Double,
+        sz: Double,
+        normalSpeed: Double,
+        restitution: Double,
+        time: Double,
+        contact: SurfaceContact,
+    ) {
+        val p = slot * STRIDE + VX
+        val ux = sx - rows.state[p]
+        val uy = sy - rows.state[p + 1]
+        val uz = sz - rows.state[p + 2]
+        val across = ux * nx + uy * ny + uz * nz
+        val r = rows.state[slot * STRIDE + RADIUS]
+        val cosine = cosine(time)
+        val sine = sine(time)
+        val wx = r * (cosine * rows.wx[slot] + sine * rows.wy[slot])
+        val wy = r * (cosine * rows.wy[slot] - sine * rows.wx[slot])
+        val wz = r * rows.wz[slot]
+        val gx = ux - across * nx - (wy * nz - wz * ny)
+        val gy = uy - across * ny - (wz * nx - wx * nz)
+        val gz = uz - across * nz - (wx * ny - wy * nx)
+        rubWall(rows, roughness, slot, nx, ny, nz, gx, gy, gz, normalSpeed, restitution, time, contact)
+    }
+
+    /** Where the wall moves with (gx, gy, gz) relative to the sphere's surface. */
+    private fun rubWall(
+        rows: StepRows,
+        roughness: Roughness,
+        slot: Int,
+        nx: Double,
+        ny: Double,
+        nz: Double,
+        slideX: Double,
+        slideY: Double,
+        slideZ: Double,
+        normalSpeed: Double,
+        restitution: Double,
+        time: Double,
+        contact: SurfaceContact,
+    ) {
+        var gx = slideX
+        var gy = slideY
+        var gz = slideZ
+        val r = rows.state[slot * STRIDE + RADIUS]
+        val cosine = cosine(time)
+        val sine = sine(time)
         val sliding = sqrt(gx * gx + gy * gy + gz * gz)
         contact.ofWall(rows, slot)
         contact.momentFactor = momentFactor

@@ -45,6 +45,35 @@ internal class ThermalWall(
         return sigma * sqrt(-2.0 * StrictMath.log(random.uniform(word)))
     }
 
+    /**
+     * The same at a wall whose normal into the room is the unit vector ([nx], [ny], [nz]) and whose surface moves with
+     * ([sx], [sy], [sz]) along itself: the velocity of [slot] along the normal becomes 0, and the speed is returned.
+     */
+    fun draw(
+        rows: StepRows,
+        slot: Int,
+        time: Double,
+        nx: Double,
+        ny: Double,
+        nz: Double,
+        sx: Double,
+        sy: Double,
+        sz: Double,
+    ): Double {
+        val random = CounterRandom(seed)
+        random.draw(rows.id[slot], time, 0)
+        val sigma = sqrt(temperature / rows.mass[slot])
+        val x = sigma * random.gaussian(0)
+        val y = sigma * random.gaussian(1)
+        val z = if (space.isPlane) 0.0 else sigma * random.gaussian(2)
+        val across = x * nx + y * ny + z * nz
+        val v = slot * STRIDE + VX
+        rows.state[v] = x - across * nx + sx
+        rows.state[v + 1] = y - across * ny + sy
+        rows.state[v + 2] = z - across * nz + sz
+        return sigma * sqrt(-2.0 * StrictMath.log(random.uniform(3)))
+    }
+
     private companion object {
         const val WORD = 0xffffffffL
 

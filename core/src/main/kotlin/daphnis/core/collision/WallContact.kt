@@ -13,7 +13,8 @@ import kotlin.math.abs
 /**
  * Reflecting walls. A wall is a partner with a negative number, −1 − face; faces are numbered −x, +x, −y, +y, −z, +z
  * from 0, and in the order of events a wall counts as an id of that negative number. Walls that move, and those across
- * a uniform acceleration, are [MovingFace]s.
+ * a uniform acceleration, are [MovingFace]s. Numbers from [FACES] on are those of the boundary's surfaces, each a
+ * [SurfaceWall].
  */
 @EngineApi
 public class WallContact {
@@ -24,10 +25,14 @@ public class WallContact {
     private val roughness = arrayOfNulls<Roughness>(FACES)
     private val moving = arrayOfNulls<MovingFace>(FACES)
     private val thermal = arrayOfNulls<ThermalWall>(FACES)
+    private var surfaces = emptyArray<SurfaceWall>()
     private val acceleration = DoubleArray(3)
     private var duration = 0.0
     private var boundary: BoundaryConditions? = null
     private var law: CollisionLaw? = null
+
+    /** How many walls there are that are not faces of the box. */
+    internal val surfaceCount: Int get() = surfaces.size
 
     /** Whether there is any wall. */
     public var present: Boolean = false
@@ -56,6 +61,8 @@ public class WallContact {
             moving[face]?.begin(faceOf(face), start, duration)
             thermal[face]?.begin(start)
         }
+        for (surface in surfaces) surface.begin(start, duration)
+        present = present || surfaces.isNotEmpty()
     }
 
     private fun takeFaces(boundary: BoundaryConditions, law: CollisionLaw) {
@@ -72,6 +79,8 @@ public class WallContact {
             moving[face] = if (rests || !walled[axis]) null else MovingFace(face and 1 == 0, motion, acceleration[axis])
             areDriven = areDriven || walled[axis] && (motion != null || thermal[face] != null)
         }
+        surfaces = Array(boundary.surfaces.size) { SurfaceWall(boundary.surfaces[it], FACES + it, boundary, law) }
+        areDriven = areDriven || boundary.surfaces.any { it.isDriven }
         this.boundary = boundary
         this.law = law
     }
@@ -96,6 +105,16 @@ public class WallContact {
         return rows.state[p + TIME] + if (gap <= 0.0) 0.0 else gap / outward
     }
 
+    /** The same for surface [k]. */
+    internal fun timeOfSurface(rows: StepRows, slot: Int, k: Int): Double = surfaces[k].time(rows, slot)
+
+    /** The same for a face or a surface by its number. */
+    public fun timeOfAny(rows: StepRows, slot: Int, face: Int): Double =
+        if (face < FACES) time(rows, slot, face) else timeOfSurface(rows, slot, face - FACES)
+
+    /** Surface [k], for steps that cover the time [span] from the start of this one. */
+    internal fun surface(k: Int, span: Double): SurfaceWall = surfaces[k].apply { spread(span) }
+
     /**
      * Where a sphere may touch the wall [face] that is at the box's face when it rests: as far into the room as the
      * wall comes, for paths that are straight within each step, in steps that cover the time [span] from the start of
@@ -109,6 +128,7 @@ public class WallContact {
      */
     public fun reflect(rows: StepRows, slot: Int, face: Int, time: Double, outcome: CollisionOutcome) {
         rows.advance(slot, time)
+        if (face >= FACES) return surfaces[face - FACES].reflect(rows, slot, time, outcome)
         if (areDriven) return reflectDriven(rows, slot, face, time, outcome)
         if (moving[face] != null || law!!.hasAcceleration) return bounce(rows, slot, face, time, outcome)
         val v = slot * STRIDE + VX + (face shr 1)

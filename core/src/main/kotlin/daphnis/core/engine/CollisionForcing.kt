@@ -1,13 +1,13 @@
 package daphnis.core.engine
 
 import daphnis.core.boundary.BoundaryConditions
+import daphnis.core.boundary.hasRoughWalls
 import daphnis.core.collision.CollapseGuard
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.collision.CollisionLaw
 import daphnis.core.collision.CollisionRecord
 import daphnis.core.collision.NoGuard
 import daphnis.core.collision.Restitution
-import daphnis.core.collision.WallContact
 import daphnis.core.population.Population
 import daphnis.core.search.Overlap
 import daphnis.core.search.Reach
@@ -92,7 +92,7 @@ public class CollisionForcing @JvmOverloads constructor(
     }
 
     private fun newStep(population: Population, boundary: BoundaryConditions): CollisionStep {
-        val isRough = collisionLaw.isRough || (0 until WallContact.FACES).any { boundary.wallRoughness(it) != null }
+        val isRough = collisionLaw.isRough || boundary.hasRoughWalls
         require(!isRough || population.hasSpin) {
             "spheres or walls are rough, and the population has no angular velocities; give them, such as 0 for all"
         }

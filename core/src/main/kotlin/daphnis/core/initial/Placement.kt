@@ -2,6 +2,7 @@
 
 package daphnis.core.initial
 
+import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
 
 /** Where spheres are put at the start. */
@@ -28,4 +29,12 @@ public fun fillingFactor(radii: DoubleArray, box: Box): Double {
     var volume = 0.0
     for (r in radii) volume += box.space.volume(r)
     return volume / box.volume
+}
+
+/** The same in the room of [boundary]. */
+@JvmName("of")
+public fun fillingFactor(radii: DoubleArray, boundary: BoundaryConditions): Double {
+    var volume = 0.0
+    for (r in radii) volume += boundary.space.volume(r)
+    return volume / boundary.volume
 }

@@ -1,6 +1,7 @@
 package daphnis.core.initial
 
 import daphnis.core.boundary.Box
+import daphnis.core.boundary.WallSurface
 import daphnis.core.parallel.FixedPool
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.LoopStrategy
@@ -35,6 +36,17 @@ public class RandomPlacement internal constructor(
     @JvmOverloads
     public constructor(mostTries: Int = MOST_TRIES, obstacles: List<Obstacle> = emptyList(), threads: Int = 1) :
         this(mostTries, obstacles, threads, null, LEAST_FOR_THREADS)
+
+    private var surfaces: List<WallSurface> = emptyList()
+    private var time = 0.0
+
+    /** From now on whole spheres stay inside of [surfaces] too, as these are at [time]. @return this */
+    @JvmOverloads
+    public fun within(surfaces: List<WallSurface>, time: Double = 0.0): RandomPlacement {
+        this.surfaces = surfaces
+        this.time = time
+        return this
+    }
 
     /**
      * @throws PlacementException also when the largest sphere does not fit between walls, or the filling is one that no
@@ -122,6 +134,7 @@ public class RandomPlacement internal constructor(
         val x = block.coordinate(c, 0, radius)
         val y = block.coordinate(c, 1, radius)
         val z = block.coordinate(c, 2, radius)
+        for (k in surfaces.indices) if (surfaces[k].distance(x, y, z, time) < radius) return false
         if (verdict == Verdict.OPEN && !space.isFree(x, y, z, radius)) return false
         space.add(rank, x, y, z)
         return true

@@ -44,6 +44,7 @@ internal class RunPlan(
         materialSums(simulation, scenario),
         if (ModesOutput.times(output).isNever) null else ModeSums(output.modes, simulation.boundary, sums.firstBody),
         simulation.boundary.hasDrivenWalls,
+        simulation.boundary.surfaces.size,
         simulation.boundary is GrowingSpheres,
     )
 

@@ -16,6 +16,7 @@ import daphnis.core.wave.ModeSums
  * where nodes hold the spheres, by them. Both give the same bits.
  *
  * @property areWallsDriven whether any wall moves or is thermal
+ * @property surfaces how many walls there are that are not faces of the box
  * @property haveGrowth whether spheres grow
  */
 internal class StepSums(
@@ -24,6 +25,7 @@ internal class StepSums(
     private val byMaterial: MaterialSums? = null,
     private val modes: ModeSums? = null,
     val areWallsDriven: Boolean = false,
+    val surfaces: Int = 0,
     val haveGrowth: Boolean = false,
 ) {
     /** Names of the materials that there are sums of. */

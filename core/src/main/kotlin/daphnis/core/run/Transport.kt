@@ -37,7 +37,7 @@ internal object TransportOutput :
  */
 internal class Transport(private val times: OutputTimes, private val sums: StepSums, private val files: RunFiles) :
     Output {
-    private val rows = TransportColumns.rows(sums.haveSpins, sums.areWallsDriven)
+    private val rows = TransportColumns.rows(sums.haveSpins, sums.areWallsDriven, sums.surfaces)
     private val file = files.table(rows)
     private val statistics = CollisionStatistics()
     private val walls = if (sums.areWallsDriven) WallStatistics() else null
@@ -156,10 +156,21 @@ public object TransportColumns : TableColumns {
         Dimension.MOMENTUM,
     ) { row, face -> row.walls?.impulse(face) ?: 0.0 }
 
-    /** The columns of a run. */
-    internal fun rows(haveSpins: Boolean, areWallsDriven: Boolean): Columns<TransportRow> {
+    /**
+     * Momentum that the first eight of the boundary's surfaces gave along their normals since the start, each in the
+     * same files if it is there.
+     */
+    @JvmField
+    public val SURFACE_IMPULSE: List<Column> = rows.each(
+        List(8) { "wall_impulse_surface_$it" },
+        Dimension.MOMENTUM,
+    ) { row, k -> row.walls?.surfaceImpulse(k) ?: 0.0 }
+
+    /** The columns of a run with so many [surfaces]. */
+    internal fun rows(haveSpins: Boolean, areWallsDriven: Boolean, surfaces: Int): Columns<TransportRow> {
         val ofSpins = if (haveSpins) emptyList() else turned
-        val ofWalls = if (areWallsDriven) emptyList() else WALL_IMPULSE + WALL_WORK
+        val told = if (areWallsDriven) surfaces else 0
+        val ofWalls = (if (areWallsDriven) emptyList() else WALL_IMPULSE + WALL_WORK) + SURFACE_IMPULSE.drop(told)
         return if (ofSpins.isEmpty() && ofWalls.isEmpty()) rows else rows.without((ofSpins + ofWalls).toSet())
     }
 

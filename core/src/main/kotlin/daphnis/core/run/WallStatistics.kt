@@ -16,7 +16,9 @@ public class WallStatistics : Output {
     public var count: Long = 0
         private set
     private val work = ExactSum()
-    private val impulses = Array(WallContact.FACES) { ExactSum() }
+
+    /** By face, and then by surface as far as any had a collision. */
+    private val impulses = ArrayList(List(WallContact.FACES) { ExactSum() })
     private var lastStep = -1L
 
     /** Energy that walls have given to spheres, that of spins with it, less what they took. */
@@ -27,6 +29,9 @@ public class WallStatistics : Output {
      * it.
      */
     public fun impulse(face: Int): Double = impulses[face].value()
+
+    /** The same of the boundary's surface [k], counted from 0. */
+    public fun surfaceImpulse(k: Int): Double = impulses.getOrNull(WallContact.FACES + k)?.value() ?: 0.0
 
     override fun write(simulation: Simulation) {
         if (simulation.step == lastStep || simulation.step == 0L) return
@@ -39,18 +44,28 @@ public class WallStatistics : Output {
             if (!record.isWall(k)) continue
             count++
             work.add(-record.surfaceDissipation(k))
-            impulses[WallContact.face(record.lower[k])].add(record.impulse(k))
+            sumOf(record.lower[k]).add(record.impulse(k))
         }
     }
 
+    private fun sumOf(partner: Int): ExactSum {
+        val face = WallContact.face(partner)
+        while (impulses.size <= face) impulses += ExactSum()
+        return impulses[face]
+    }
+
     override fun save(state: OutputState) {
-        state.put(COUNT, longArrayOf(count))
-        for (k in 0..WallContact.FACES) state.put("$SUM$k", sum(k).parts().toDoubleArray())
+        val more = impulses.size - WallContact.FACES
+        state.put(COUNT, if (more == 0) longArrayOf(count) else longArrayOf(count, more.toLong()))
+        for (k in 0..impulses.size) state.put("$SUM$k", sum(k).parts().toDoubleArray())
     }
 
     override fun restore(state: OutputState) {
-        count = state.longs(COUNT)[0]
-        for (k in 0..WallContact.FACES) {
+        val counts = state.longs(COUNT)
+        count = counts[0]
+        val more = counts.getOrElse(1) { 0 }.toInt()
+        while (impulses.size < WallContact.FACES + more) impulses += ExactSum()
+        for (k in 0..impulses.size) {
             sum(k).clear()
             for (part in state.doubles("$SUM$k")) sum(k).add(part)
         }

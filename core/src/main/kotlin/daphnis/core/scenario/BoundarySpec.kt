@@ -3,6 +3,7 @@ package daphnis.core.scenario
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.OpenPlane
+import daphnis.core.boundary.WallSurface
 import daphnis.core.orbit.OrbitalFrequencies
 import kotlinx.serialization.SerialName
 import kotlinx.serialization.Serializable
@@ -52,6 +53,8 @@ public sealed interface BoundarySpec {
      * Walls across the axes named in [axes]; the other axes are periodic.
      *
      * @property faces what single walls have of their own
+     * @property surfaces walls that are not faces of the box. Where a cylinder or a sphere in the box keeps the spheres
+     *   from its faces, these are no walls, whatever [axes] says
      */
     @Serializable
     @SerialName("walls")
@@ -60,23 +63,31 @@ public sealed interface BoundarySpec {
         public val restitution: Double = 1.0,
         public val roughness: WallRoughnessSpec? = null,
         public val faces: WallFacesSpec? = null,
+        public val surfaces: List<WallSurfaceSpec> = emptyList(),
     ) : BoundarySpec {
         override fun conditions(box: Box, frequencies: OrbitalFrequencies?, source: String): BoundaryConditions =
             conditions(box, source, seed = 0)
 
         /** The same; thermal walls draw by [seed]. */
         internal fun conditions(box: Box, source: String, seed: Long): BoundaryConditions {
-            val known = axes.isNotEmpty() && axes.all { it in AXES } && axes.toSet().size == axes.length
+            val known = (axes.isNotEmpty() || surfaces.isNotEmpty()) &&
+                axes.all { it in AXES } &&
+                axes.toSet().size == axes.length
             val check = ValueCheck(source)
             check.that("boundary.axes", axes, known) { "must name axes, such as xyz or z" }
             check.fraction("boundary.restitution", restitution)
-            val inSpace = axes.toList().filter { AXES.indexOf(it) < box.space.dimensions }.joinToString("")
-            check.that("boundary.axes", axes, inSpace.isNotEmpty()) { "must name x, y or both, with dimensions 2" }
+            val named = axes.toList().filter { AXES.indexOf(it) < box.space.dimensions }
+            check.that("boundary.axes", axes, named.isNotEmpty() || surfaces.isNotEmpty()) {
+                "must name x, y or both, with dimensions 2"
+            }
+            val shapes = surfaces.mapIndexed { k, it -> it.surface("${WallSurfaceSpec.KEY}[$k]", check) }
+            val inSpace = named.filter { !isEnclosed(AXES.indexOf(it), box, shapes) }.joinToString("")
             val walled = BooleanArray(AXES.length) { AXES[it] in inSpace }
-            val surfaces = roughness?.laws(inSpace, check) ?: emptyList()
+            checkShapes(shapes, walled, box, check)
+            val rough = roughness?.laws(inSpace, check) ?: emptyList()
             val own = faces?.faces(inSpace, check) ?: emptyList()
             for (face in own.indices) {
-                val isRough = surfaces.getOrNull(face) != null
+                val isRough = rough.getOrNull(face) != null
                 check.must(
                     "${WallFacesSpec.KEY}.${WallFacesSpec.NAMES[face]}",
                     own[face]?.temperature == null || !isRough,
@@ -84,13 +95,36 @@ public sealed interface BoundarySpec {
                     "has a temperature; a thermal wall cannot be rough"
                 }
             }
-            return daphnis.core.boundary.Walls(box, restitution, walled, surfaces, own, seed)
+            val walls = daphnis.core.boundary.Walls(box, restitution, walled, rough, own, seed, shapes)
+            check.must(WallSurfaceSpec.KEY, walls.volume > 0) { "leave no room in the box" }
+            return walls
+        }
+
+        private fun isEnclosed(axis: Int, box: Box, shapes: List<WallSurface>) =
+            shapes.any { it.encloses(axis, box.lower(axis), box.upper(axis)) }
+
+        /** Along an axis without walls the box repeats, and a surface must repeat with it. */
+        private fun checkShapes(shapes: List<WallSurface>, walled: BooleanArray, box: Box, check: ValueCheck) {
+            for ((k, shape) in shapes.withIndex()) {
+                val key = "${WallSurfaceSpec.KEY}[$k]"
+                check.must(key, !box.space.isPlane || shape.isSameAlong(2)) {
+                    "is not the same everywhere along z; with dimensions 2 take a cylinder along z, or a plane along it"
+                }
+                for (axis in 0 until box.space.dimensions) {
+                    val isOpen = !walled[axis] && !isEnclosed(axis, box, shapes)
+                    check.must(key, !isOpen || shape.isSameAlong(axis)) {
+                        val name = AXES[axis]
+                        "leaves a gap: the box repeats along $name, and the surface is not the same everywhere along " +
+                            "it; give boundary.axes with $name, or a box of which a cylinder or sphere closes $name"
+                    }
+                }
+            }
         }
 
         override fun inWords(number: DoubleFunction<String>, speed: DoubleFunction<String>): String =
             "walls across $axes, restitution ${number.apply(restitution)}, " +
                 "surfaces ${roughness?.inWords(axes, number) ?: "smooth"}" +
-                faces?.inWords(number).orEmpty()
+                faces?.inWords(number).orEmpty() + surfaces.joinToString("") { "; ${it.inWords(number)}" }
 
         override fun toString(): String = "walls with axes $axes"
     }

@@ -10,8 +10,9 @@ public object BuiltIn {
     public val names: List<String> =
         listOf(
             "paper-figure-1", "paper-figure-2", "paper-figure-3", "elastic-gas", "cooling-gas", "driven-gas",
-            "rough-gas", "mixture", "hard-discs", "vibrated-bed", "shear-cell", "ring-patch", "rough-ring",
-            "satellite-wake", "moonlet", "moonlet-walk", "overstability", "self-gravity-wakes", "crystal", "glass",
+            "rough-gas", "mixture", "hard-discs", "vibrated-bed", "drum", "shear-cell", "ring-patch",
+            "rough-ring", "satellite-wake", "moonlet", "moonlet-walk", "overstability", "self-gravity-wakes",
+            "crystal", "glass",
         )
 
     /** The text of the scenario [name], with its comments; null when there is none. */

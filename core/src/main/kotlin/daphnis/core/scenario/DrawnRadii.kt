@@ -15,12 +15,15 @@ internal class Drawn(val radii: DoubleArray, val kinds: IntArray)
  *
  * Of several [kinds] each has its share of the number to within one sphere. Their spheres are in an order that is drawn
  * too, so that they are mixed on a lattice and in the order of ids.
+ *
+ * @param room volume in which they are, or area in the plane
  */
 internal class DrawnRadii(
     private val spec: ParticlesSpec,
     private val kinds: List<SphereKind>,
     private val box: Box,
     private val check: ValueCheck,
+    private val room: Double = box.volume,
     private val stream: () -> SeededRandom,
 ) {
     private val space = box.space
@@ -55,7 +58,7 @@ internal class DrawnRadii(
         check.that("particles.fillingFactor", filling, filling > 0 && filling < space.closestPacking) {
             "must be in (0, ${space.closestPacking}), the closest packing"
         }
-        return filled(filling * box.volume, "particles.fillingFactor", filling) { _, r -> space.volume(r) }
+        return filled(filling * room, "particles.fillingFactor", filling) { _, r -> space.volume(r) }
     }
 
     /** How many of [count] spheres are of each kind: what rounding down leaves goes to those of the largest rests. */
@@ -137,7 +140,7 @@ internal class DrawnRadii(
             taken[kind]++
             sum += its
             volume += space.volume(r)
-            if (volume >= space.closestPacking * box.volume) checkFilling(key, value, volume, "at least ")
+            if (volume >= space.closestPacking * room) checkFilling(key, value, volume, "at least ")
         }
         check.that(key, value, count >= 1) { "is less than one sphere in this box" }
         taken.fill(0)
@@ -172,7 +175,7 @@ internal class DrawnRadii(
      */
     private fun foresee(key: String, value: Double, count: Int, volume: Double, part: Double, margin: Double) {
         if (volume / part >=
-            margin * space.closestPacking * box.volume
+            margin * space.closestPacking * room
         ) {
             checkFilling(key, value, volume / part, "about ")
         }
@@ -180,7 +183,7 @@ internal class DrawnRadii(
     }
 
     private fun checkFilling(key: String, value: Number, volume: Double, bound: String = "") {
-        val filling = volume / box.volume
+        val filling = volume / room
         val name = if (space.isPlane) "an area fraction" else "a filling factor"
         check.that(key, value, filling < space.closestPacking) {
             "gives $name of ${if (isOneSize) "" else bound}$filling; it must be below ${space.closestPacking}"

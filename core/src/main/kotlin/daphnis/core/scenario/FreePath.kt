@@ -3,7 +3,9 @@ package daphnis.core.scenario
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.ContactFaces
+import daphnis.core.boundary.roomIn
 import daphnis.core.population.Population
+import daphnis.core.space.Space
 import kotlin.math.abs
 import kotlin.math.sqrt
 
@@ -37,10 +39,11 @@ internal object FreePath {
      */
     fun length(population: Population, box: Box, boundary: BoundaryConditions): Double {
         val edge = (0..2).filter { boundary.contactFaces(it) != ContactFaces.OPEN }.minOfOrNull { box.length(it) }
+        val volume = boundary.roomIn(box)
         val most = edge?.let { it / 2 } ?: Double.MAX_VALUE
-        if (population.size == 0) return minOf(most, box.space.edge(box.volume))
-        val distance = box.space.edge(box.volume / population.size)
-        val path = minOf(cheapest(population, box), DISTANCES * distance)
+        if (population.size == 0) return minOf(most, box.space.edge(volume))
+        val distance = box.space.edge(volume / population.size)
+        val path = minOf(cheapest(population, box.space, volume), DISTANCES * distance)
         return minOf(most, FASTEST * path)
     }
 
@@ -54,7 +57,7 @@ internal object FreePath {
      * The way of a sphere in the cheapest step: a part of the geometric mean of the mean free path, by Enskog's theory,
      * and the diameter.
      */
-    private fun cheapest(population: Population, box: Box): Double {
+    private fun cheapest(population: Population, space: Space, volume: Double): Double {
         var first = 0.0
         var second = 0.0
         var third = 0.0
@@ -67,18 +70,18 @@ internal object FreePath {
             third += r * r * r
         }
         val n = population.size
-        if (box.space.isPlane) {
+        if (space.isPlane) {
             // Contact value of Henderson 1975 (Mol. Phys. 30, 971); the mean free path is that of discs.
-            val filling = minOf(Math.PI * second / box.volume, DENSEST)
+            val filling = minOf(Math.PI * second / volume, DENSEST)
             val atContact = (1 - filling * 7 / 16) / ((1 - filling) * (1 - filling))
-            return PART * sqrt(box.volume / (2 * sqrt(2.0) * n * atContact))
+            return PART * sqrt(volume / (2 * sqrt(2.0) * n * atContact))
         }
-        val filling = minOf(4.0 / 3 * Math.PI * third / box.volume, DENSEST)
+        val filling = minOf(4.0 / 3 * Math.PI * third / volume, DENSEST)
         val empty = 1 - filling
         val atContact = (1 - filling / 2) / (empty * empty * empty)
         // Two spheres collide when their centres pass at less than this distance, in the root mean square.
         val diameter = sqrt(2 * (second / n + first / n * (first / n)))
-        val freePathTimesDiameter = box.volume / (sqrt(2.0) * n * Math.PI * diameter * atContact)
+        val freePathTimesDiameter = volume / (sqrt(2.0) * n * Math.PI * diameter * atContact)
         return PART * sqrt(freePathTimesDiameter)
     }
 

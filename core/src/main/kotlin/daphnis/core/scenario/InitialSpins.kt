@@ -1,7 +1,7 @@
 package daphnis.core.scenario
 
 import daphnis.core.boundary.BoundaryConditions
-import daphnis.core.collision.WallContact
+import daphnis.core.boundary.hasRoughWalls
 import daphnis.core.format.SnapshotCheck
 import daphnis.core.initial.GaussianVelocities
 import daphnis.core.initial.SeededRandom
@@ -19,7 +19,7 @@ internal class InitialSpins(
     val areThere: Boolean
         get() = scenario.roughness != null ||
             scenario.contacts.any { it.roughness != null } ||
-            (0 until WallContact.FACES).any { boundary.wallRoughness(it) != null }
+            boundary.hasRoughWalls
 
     /** Moment of inertia over mass · radius². */
     val momentFactor: Double get() = scenario.momentFactor

@@ -2,8 +2,10 @@ package daphnis.core.scenario
 
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
+import daphnis.core.boundary.RoomSide
 import daphnis.core.boundary.hasMovingWalls
 import daphnis.core.boundary.roomAt
+import daphnis.core.boundary.roomIn
 import daphnis.core.compression.GrownPlacement
 import daphnis.core.format.Snapshot
 import daphnis.core.initial.Crowding
@@ -52,10 +54,14 @@ internal class InitialState(
         val spec =
             scenario.particles ?: check.fail("particles", "is missing; it is needed unless the placement is a file")
         val kinds = SphereKind.of(spec, box.space, check)
-        val drawn = DrawnRadii(spec, kinds, box, check) { stream(SIZES) }.draw()
+        val drawn = DrawnRadii(spec, kinds, box, check, boundary.roomIn(box)) { stream(SIZES) }.draw()
         val radii = drawn.radii
         val bodies = Bodies(scenario.bodies, spec, box.space, check)
         val positions = try {
+            check.must("placement", boundary.surfaces.isEmpty() || placement is PlacementSpec.Random) {
+                "must be random, or a file, in a room with boundary.surfaces"
+            }
+            checkRadii(radii)
             if (placement is PlacementSpec.Lattice) {
                 check.must("bodies", scenario.bodies.isEmpty()) { "need random placement, which goes around them" }
                 lattice(placement).place(radii, room, walled(), stream(PLACES))
@@ -79,7 +85,7 @@ internal class InitialState(
                 RandomPlacement(
                     obstacles = bodies.obstacles,
                     threads = scenario.engine.threadsAtStart,
-                ).place(radii, room, walled(), stream(PLACES))
+                ).within(boundary.surfaces, scenario.startTime).place(radii, room, walled(), stream(PLACES))
             }
         } catch (e: PlacementException) {
             val (key, value) = spec.amount(radii.size)
@@ -105,6 +111,16 @@ internal class InitialState(
             smooth.withMaterial(drawn.kinds + materials.ofBodies(), materials.names)
         }
         return InitialSpins(scenario, boundary, check).drawn(made, scenario.bodies.size, stream(SPINS))
+    }
+
+    private fun checkRadii(radii: DoubleArray) {
+        for ((k, surface) in boundary.surfaces.withIndex()) {
+            val most = radii.max()
+            val fits = surface.side == RoomSide.OUTSIDE || surface.radius > most
+            check.that("${WallSurfaceSpec.KEY}[$k].radius", surface.radius, fits) {
+                "must exceed that of the largest sphere, $most"
+            }
+        }
     }
 
     private fun ParticlesSpec.amount(all: Int): Pair<String, Any> = when {

@@ -42,6 +42,14 @@ internal class OverlapRepair(
                 if ((r - free) / r > deepest.depth) deepest = Deepest((r - free) / r, population.id[k], -1)
             }
         }
+        val p = population
+        for (surface in boundary.surfaces) {
+            for (k in 0 until p.size) {
+                val r = p.radius[k]
+                val depth = (r - surface.distance(p.x[k], p.y[k], p.z[k], time)) / r
+                if (depth > deepest.depth) deepest = Deepest(depth, p.id[k], -1)
+            }
+        }
         return deepest
     }
 
@@ -163,6 +171,23 @@ internal class OverlapRepair(
                 if (below <= 0 && above <= 0) continue
                 isMoved = true
                 moveAlong(axis, k, if (below > 0) below + slack * r else -above - slack * r, way)
+            }
+        }
+        return offSurfaces(slack, way) || isMoved
+    }
+
+    private fun offSurfaces(slack: Double, way: Array<DoubleArray>): Boolean {
+        var isMoved = false
+        val normal = DoubleArray(3)
+        val p = population
+        for (surface in boundary.surfaces) {
+            for (k in 0 until p.size) {
+                val r = p.radius[k]
+                val out = r - surface.distance(p.x[k], p.y[k], p.z[k], time)
+                if (out <= 0) continue
+                isMoved = true
+                surface.normal(p.x[k], p.y[k], p.z[k], time, normal)
+                for (axis in 0..2) moveAlong(axis, k, (out + slack * r) * normal[axis], way)
             }
         }
         return isMoved

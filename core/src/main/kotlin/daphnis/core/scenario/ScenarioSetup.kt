@@ -8,6 +8,7 @@ import daphnis.core.StoppingTimeStep
 import daphnis.core.Stops
 import daphnis.core.TimeStep
 import daphnis.core.boundary.BoundaryConditions
+import daphnis.core.boundary.roomIn
 import daphnis.core.collision.CollapseGuard
 import daphnis.core.collision.ContactDurationGuard
 import daphnis.core.collision.FloorSpeedGuard
@@ -178,11 +179,13 @@ public class ScenarioSetup private constructor(
 
         /**
          * What has ε < 1 at the lowest speeds can collapse, so it gets a guard far below any speed that matters; other
-         * laws are elastic there.
+         * laws are elastic there. So can what bounces between surfaces.
          */
         private fun defaultGuard(scenario: Scenario): GuardSpec {
             val laws = scenario.contacts.mapNotNull { it.restitution } + scenario.restitution
-            val mayCollapse = laws.any { it.atRest < 1 }
+            val walls = scenario.boundary as? BoundarySpec.Walls
+            val hasPlastic = walls?.surfaces?.any { (it.restitution ?: walls.restitution) < 1 } ?: false
+            val mayCollapse = hasPlastic || laws.any { it.atRest < 1 }
             return if (mayCollapse) GuardSpec.FloorSpeed(relative = DEFAULT_FLOOR) else GuardSpec.None()
         }
 
@@ -213,7 +216,7 @@ public class ScenarioSetup private constructor(
         /** A cell that was left out becomes the mean distance between spheres, and a path that of [FreePath]. */
         private fun resolve(spec: TimeStepSpec, around: Surroundings, population: Population): TimeStepSpec = when {
             spec is TimeStepSpec.CellCrossing && spec.cell == null -> {
-                val cell = around.box.space.edge(around.box.volume / population.size)
+                val cell = around.box.space.edge(around.boundary.roomIn(around.box) / population.size)
                 TimeStepSpec.CellCrossing(spec.fraction, cell, spec.longest)
             }
             spec is TimeStepSpec.Automatic && spec.path == null ->

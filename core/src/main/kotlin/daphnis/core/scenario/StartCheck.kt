@@ -60,6 +60,7 @@ internal class StartCheck(
             }
             if (boundary.contactFaces(axis) != ContactFaces.OPEN) checkInside(axis)
         }
+        checkSurfaces()
         if (isKnown) {
             checkSlide(timeStep)
             checkJumps(timeStep)
@@ -121,6 +122,20 @@ internal class StartCheck(
         check.must("timeStep", falls <= MOST_CYCLES) {
             "is so long that spheres fall $falls times through the room across ${"xyz"[axis]} in a step; " +
                 "take a smaller dt"
+        }
+    }
+
+    private fun checkSurfaces() {
+        for ((n, surface) in boundary.surfaces.withIndex()) {
+            val key = "${WallSurfaceSpec.KEY}[$n]"
+            for (k in 0 until population.size) {
+                val p = population
+                val free = surface.distance(p.x[k], p.y[k], p.z[k], scenario.startTime)
+                check.must(placedBy(k), free >= p.radius[k] * (1 - TOLERANCE)) {
+                    "particle ${p.id[k]} at (${p.x[k]} ${p.y[k]} ${p.z[k]}) with radius ${p.radius[k]} reaches out " +
+                        "of the room, beyond $key, a $surface"
+                }
+            }
         }
     }
 

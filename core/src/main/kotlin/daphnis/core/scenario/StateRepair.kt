@@ -34,7 +34,10 @@ internal class StateRepair(
         putBack(population, snapshot.shift)
         val repair = OverlapRepair(population, boundary, scenario.startTime, scenario.engine.threadsAtStart)
         when (spec.overlaps) {
-            OverlapsName.REFUSE -> requireOffWalls(population, snapshot.shift)
+            OverlapsName.REFUSE -> {
+                requireOffWalls(population, snapshot.shift)
+                requireInSurfaces(population)
+            }
             OverlapsName.SHRINK -> shrink(repair)
             OverlapsName.RELAX -> relax(repair)
             OverlapsName.GROW -> grow(population, repair)
@@ -80,6 +83,23 @@ internal class StateRepair(
                 if (into <= StartCheck.TOLERANCE) continue
                 val wayOut = OverlapRepair.WAY_OUT.takeIf { into <= OverlapRepair.DEEPEST }
                 refuse(population, k, axis, shift, wayOut)
+            }
+        }
+    }
+
+    private fun requireInSurfaces(population: Population) {
+        val p = population
+        for ((n, surface) in boundary.surfaces.withIndex()) {
+            for (k in 0 until p.size) {
+                val r = p.radius[k]
+                val into = (r - surface.distance(p.x[k], p.y[k], p.z[k], scenario.startTime)) / r
+                if (into <= StartCheck.TOLERANCE) continue
+                val wayOut = if (into <= OverlapRepair.DEEPEST) "; ${OverlapRepair.WAY_OUT}" else ""
+                check.fail(
+                    "placement",
+                    "particle ${p.id[k]} with radius $r reaches out of the room, beyond " +
+                        "${WallSurfaceSpec.KEY}[$n], by ${shown(into)} of its radius$wayOut",
+                )
             }
         }
     }

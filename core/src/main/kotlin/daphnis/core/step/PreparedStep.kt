@@ -189,6 +189,10 @@ public class PreparedStep @JvmOverloads constructor(sort: GridSort = GridSort.CO
             val t = walls.time(rows, place, face)
             if (t <= until) sink.add(t, place, WallContact.partner(face), 0)
         }
+        for (k in 0 until walls.surfaceCount) {
+            val t = walls.timeOfSurface(rows, place, k)
+            if (t <= until) sink.add(t, place, WallContact.partner(WallContact.FACES + k), 0)
+        }
     }
 
     /** Moves every sphere to the end of the step and writes all to the population, see [StepRows.store]. */

@@ -28,7 +28,9 @@ class TableColumnsTest {
         val ofGrowth = setOf(SeriesColumns.FILLING_FACTOR, SeriesColumns.REDUCED_PRESSURE)
         val body = "bodies=[{\"radius\": 0.6, \"position\": [0, 0, 0]}]"
         val floor = """"lowerZ": { "motion": { "type": "sine", "amplitude": 0.1, "frequency": 1 } }"""
-        val walls = """boundary={ "type": "walls", "axes": "z", "faces": { $floor } }"""
+        val plane = """{ "type": "plane", "point": [0, 0, 99], "normal": [0, 0, -1] }"""
+        val planes = """"surfaces": [${List(8) { plane }.joinToString()}]"""
+        val walls = """boundary={ "type": "walls", "axes": "z", "faces": { $floor }, $planes }"""
         val scenario = tableScenario("roughness={\"type\": \"smooth\"}", body, walls, "velocities.shearProfile=false")
         Run.start(scenario, "test", home.resolve("run")).use { it.execute() }
         for (table in tables) {

@@ -74,8 +74,8 @@ class BruteForceEngine : CollisionEngine {
     }
 
     private fun queueWalls(step: CollisionStep, a: Int) {
-        for (face in 0 until WallContact.FACES) {
-            val t = walls.time(rows, a, face)
+        for (face in 0 until WallContact.FACES + step.boundary.surfaces.size) {
+            val t = walls.timeOfAny(rows, a, face)
             if (t <= step.duration) queue.add(t, a, WallContact.partner(face), 0)
         }
     }

@@ -28,6 +28,7 @@ import daphnis.core.hill.Satellite
 import daphnis.core.initial.Lattice
 import daphnis.core.initial.LatticePlacement
 import daphnis.core.initial.PlacementException
+import daphnis.core.initial.Positions
 import daphnis.core.initial.RandomPlacement
 import daphnis.core.initial.SeededRandom
 import daphnis.core.orbit.OrbitalFrequencies
@@ -56,6 +57,10 @@ class Draw(override val seed: Long, private val grows: Boolean = true) : Case {
     private val radii = drawRadii()
     private val volume = radii.sumOf { 4.0 / 3 * Math.PI * it * it * it } / filling
     private val box = drawBox()
+    private val shapes = ShapeDraw(seed)
+
+    /** The walls around spheres that have their places. */
+    private var shaped: ((Positions) -> Walls)? = null
     override var boundary = drawBoundary()
         private set
     override val population = populate()
@@ -116,8 +121,17 @@ class Draw(override val seed: Long, private val grows: Boolean = true) : Case {
         else -> Periodic(box)
     }
 
-    private fun walls(restitution: Double, walled: BooleanArray) =
-        Walls(box, restitution, walled, surface.walls, driven.faces(surface.walls, walled), seed)
+    private fun walls(restitution: Double, walled: BooleanArray): Walls {
+        val faces = driven.faces(surface.walls, walled)
+        shaped = { places ->
+            shapes.around(box, walled, surface.walls, arrayOf(places.x, places.y, places.z), radii) { surfaces, room ->
+                val plain = Walls(room, restitution, walled, surfaces = surfaces)
+                val own = faces.mapIndexed { k, it -> it.takeIf { plain.contactFaces(k / 2) == ContactFaces.WALL } }
+                Walls(room, restitution, walled, surface.walls, own, seed, surfaces)
+            }
+        }
+        return Walls(box, restitution, walled, surface.walls, faces, seed)
+    }
 
     private fun populate(): Population {
         val room = if (clumped) corner() else box
@@ -142,6 +156,7 @@ class Draw(override val seed: Long, private val grows: Boolean = true) : Case {
                 DoubleArray(radii.size) { at(it / edge / edge) },
             )
         }
+        shaped?.let { boundary = it(places) }
         return made(places.x, places.y, places.z)
     }
 
@@ -208,5 +223,5 @@ class Draw(override val seed: Long, private val grows: Boolean = true) : Case {
 
     override fun toString() =
         "seed $seed: ${population.size} spheres, filling $filling${if (clumped) ", clumped" else ""}, " +
-            "${around().javaClass.simpleName}, dt $dt$surface"
+            "${around().javaClass.simpleName}${boundary.surfaces.map { ", $it" }.joinToString("")}, dt $dt$surface"
 }

@@ -10,7 +10,7 @@ internal class Bulk(state: State, input: AnalysisInput) {
     private val population = state.population
     private val indices = (0 until population.size).filter { state.isParticle(it) }
     private val space = state.boundary.space
-    private val volume = state.boundary.box.volume
+    private val volume = state.boundary.volume
 
     val particles: Int = indices.size
 

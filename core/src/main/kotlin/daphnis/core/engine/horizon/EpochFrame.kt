@@ -3,6 +3,7 @@ package daphnis.core.engine.horizon
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.ContactFaces
 import daphnis.core.boundary.Images
+import daphnis.core.collision.SurfaceWall
 import daphnis.core.collision.WallContact
 import daphnis.core.parallel.Extremes
 import daphnis.core.parallel.RangeLoop
@@ -38,6 +39,10 @@ internal class EpochFrame {
     val lowerFace = DoubleArray(AXES)
     val upperFace = DoubleArray(AXES)
     private val walls = WallContact()
+
+    /** Walls that are not faces of the box, ready to be asked about the epoch. */
+    var surfaces = emptyArray<SurfaceWall>()
+        private set
 
     /** Images as they are at the start of the epoch. */
     val images = Images()
@@ -131,6 +136,7 @@ internal class EpochFrame {
             lowerFace[axis] = walls.innermost(2 * axis, whole)
             upperFace[axis] = walls.innermost(2 * axis + 1, whole)
         }
+        surfaces = Array(walls.surfaceCount) { walls.surface(it, whole) }
         openWindow(0)
         var span = 0.0
         for (k in 0 until AXES) {
@@ -167,7 +173,7 @@ internal class EpochFrame {
             isWalled[axis] = boundary.contactFaces(axis) == ContactFaces.WALL
         }
         walls.prepare(boundary, step.law, step.start, step.duration)
-        hasWalls = isWalled.any { it }
+        hasWalls = walls.present
         axes[0] = boundary.shear?.slideAxis ?: flow?.flowAxis ?: 0
         axes[2] = boundary.shear?.normalAxis ?: flow?.normalAxis ?: 1
         axes[1] = AXES - axes[0] - axes[2]

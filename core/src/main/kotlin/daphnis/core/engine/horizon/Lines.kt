@@ -191,6 +191,18 @@ internal class Lines(private val frame: EpochFrame) : GrowingTable() {
             if (v < 0) first = minOf(first, t - below / v)
             if (v > 0) first = minOf(first, t + above / v)
         }
+        for (surface in frame.surfaces) {
+            val wait = surface.soonest(
+                at(i, 0, t),
+                at(i, 1, t),
+                at(i, 2, t),
+                velocity(i, 0),
+                velocity(i, 1),
+                velocity(i, 2),
+                r,
+            )
+            first = minOf(first, t + wait)
+        }
         return first
     }
 

@@ -47,7 +47,7 @@ internal class Seeder(private val field: IslandField, private val hints: Hints) 
         val first = hints.store.first(hint)
         val second = hints.store.second(hint)
         val time = if (second < 0) {
-            field.prepared.walls.time(field.rows, first, WallContact.face(second))
+            field.prepared.walls.timeOfAny(field.rows, first, WallContact.face(second))
         } else {
             contactTime(field.rows, first, second, hints.store.image(hint), field.grid.images)
         }
