@@ -103,7 +103,8 @@ internal fun planOf(
     }
     return closingIfItThrows(simulation) {
         val boundary = setup.boundary
-        val sums = PopulationSums(boundary.meanFlow, setup.frequencies, scenario.firstBody, boundary.space)
+        val flow = boundary.meanFlow
+        val sums = PopulationSums(flow, setup.frequencies, scenario.firstBody, boundary.space, setup.carriesHeat)
         RunPlan(scenario, scenario.name, scenario.end, endSlack(scenario.timeStep), output, own, simulation, sums)
     }
 }
