@@ -11,6 +11,7 @@ import daphnis.core.population.Population
 import daphnis.core.population.PopulationFold
 import daphnis.core.population.SpinSums
 import daphnis.core.scenario.ScenarioSetup
+import daphnis.core.scenario.carriesHeat
 import java.nio.ByteBuffer
 
 /**

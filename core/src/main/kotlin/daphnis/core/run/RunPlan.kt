@@ -13,6 +13,7 @@ import daphnis.core.population.SpinSums
 import daphnis.core.scenario.OutputSpec
 import daphnis.core.scenario.ResolvedScenario
 import daphnis.core.scenario.ScenarioSetup
+import daphnis.core.scenario.carriesHeat
 import daphnis.core.wave.ModeSums
 
 /**

@@ -52,16 +52,6 @@ public class ScenarioSetup private constructor(
     /** Angular speed of the frame in radians per unit of time; null without a frame. */
     public val angularSpeed: Double? get() = frequencies?.omega
 
-    /**
-     * Whether a run sums what heat the spheres carry: only where it writes `transport.csv`, and the gas is at rest and
-     * elastic, so that its conductivity follows.
-     */
-    internal val carriesHeat: Boolean
-        get() = scenario.isElasticAtRest &&
-            scenario.growth == null &&
-            (0..2).all { boundary.repeats(it) } &&
-            (scenario.output.transportEvery != 0 || scenario.output.transportInterval != null)
-
     /** Moment of inertia of the spheres over mass · radius². */
     public val momentFactor: Double get() = scenario.momentFactor
 
