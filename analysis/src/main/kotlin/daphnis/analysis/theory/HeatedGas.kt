@@ -29,7 +29,7 @@ public object HeatedGas {
         density: Double,
         diameter: Double,
     ): Double {
-        val contact = contactValue(PI / 6 * density * diameter * diameter * diameter)
+        val contact = HardSpheres.carnahanStarlingContact(HardSpheres.filling(density, diameter))
         val loss = (1 - restitution * restitution) * (4.0 / 3) * sqrt(PI) * density * diameter * diameter * contact *
             (1 + 3.0 / 16 * fourthCumulant(restitution))
         if (intensity == 0.0) return 0.0
@@ -50,9 +50,6 @@ public object HeatedGas {
         val e2 = restitution * restitution
         return 16 * (1 - restitution) * (1 - 2 * e2) / (241 - 177 * restitution + 30 * e2 * (1 - restitution))
     }
-
-    /** Carnahan & Starling's g(σ) at filling factor [filling] (1969, J. Chem. Phys. 51, 635). */
-    private fun contactValue(filling: Double) = (1 - filling / 2) / ((1 - filling) * (1 - filling) * (1 - filling))
 
     private const val MOST_STEPS = 100
     private const val ROUNDING = 1e-14

@@ -2,13 +2,7 @@ package daphnis.analysis.transport
 
 import daphnis.analysis.statistics.BlockAverage
 import daphnis.core.run.TransportColumns
-import daphnis.core.run.TransportColumns.COLLISIONS
 import daphnis.core.run.TransportColumns.MASS
-import daphnis.core.run.TransportColumns.PARTICLES
-import daphnis.core.run.TransportColumns.TIME
-import kotlin.math.abs
-import kotlin.math.ceil
-import kotlin.math.max
 import kotlin.math.sqrt
 
 /**
@@ -37,14 +31,6 @@ public class HelfandViscosity private constructor(public val average: BlockAvera
     public companion object {
         /** L in mean free times. */
         private const val FREE_TIMES = 10.0
-
-        /** L in times in which a sphere of thermal speed crosses its diameter. */
-        private const val CROSSINGS = 2.0
-
-        /** Most mean free times from row to row. */
-        private const val WIDEST = 0.5
-        private const val UNEVEN = 1e-6
-        private const val FEWEST_BLOCKS = 2
         private val COMPONENTS = listOf("xx", "yy", "zz", "xy", "xz", "yz")
 
         /**
@@ -56,75 +42,25 @@ public class HelfandViscosity private constructor(public val average: BlockAvera
          */
         @JvmStatic
         public fun of(table: TransportTable, volume: Double, diameter: Double): HelfandViscosity? {
-            val rows = evenRows(table[TIME])
-            if (rows < 2 || COMPONENTS.any { TransportColumns.moment(it) !in table }) return null
-            val step = (table[TIME][rows - 1] - table[TIME][0]) / (rows - 1)
-            val collisions = table[COLLISIONS][rows - 1] - table[COLLISIONS][0]
-            val rate = 2 * collisions / table[PARTICLES][0] / (step * (rows - 1))
-            val temperature = listOf("xx", "yy", "zz").sumOf { table[TransportColumns.moment(it)].average() } / 3
-            if (!(rate > 0 && temperature > 0) || rate * step > WIDEST) return null
-            val longest = max(FREE_TIMES / rate, CROSSINGS * diameter / sqrt(temperature))
-            if (longest / step >= rows) return null
-            val half = ceil(longest / step / 2).toInt()
-            val thermal = table[MASS][0] / table[PARTICLES][0] * temperature
-            val slopes = slopes(shears(table, rows, step), half) ?: return null
-            val average = BlockAverage.of(slopes) * (1 / (2 * volume * thermal * half * step))
-            return if (average.mean.isFinite()) HelfandViscosity(average, 2 * half * step) else null
+            if (COMPONENTS.any { TransportColumns.moment(it) !in table }) return null
+            val walk = HelfandWalk.of(table) ?: return null
+            val half = walk.half(FREE_TIMES, diameter) ?: return null
+            val slope = walk.slope(shears(table, walk), half) ?: return null
+            val average = slope * (1 / (2 * volume * walk.thermal))
+            return if (average.mean.isFinite()) HelfandViscosity(average, 2 * half * walk.step) else null
         }
 
-        /** How many rows from the first on are as far apart as the first two, if these are all, or all but the last. */
-        private fun evenRows(time: DoubleArray): Int {
-            if (time.size < 2) return 0
-            val step = time[1] - time[0]
-            val uneven = (1 until time.size).firstOrNull { abs(time[it] - time[it - 1] - step) > UNEVEN * step }
-            return if (uneven == null) {
-                time.size
-            } else if (uneven == time.size - 1) {
-                uneven
-            } else {
-                0
-            }
-        }
-
-        /** G of the five shears at each of the [rows]. */
-        private fun shears(table: TransportTable, rows: Int, step: Double): List<DoubleArray> {
-            val (xx, yy, zz, xy, xz) = COMPONENTS.map { integral(table, it, rows, step) }
-            val yz = integral(table, COMPONENTS.last(), rows, step)
-            val across = DoubleArray(rows) { (xx[it] - yy[it]) / 2 }
-            val upright = DoubleArray(rows) { (xx[it] + yy[it] - 2 * zz[it]) / sqrt(12.0) }
-            return listOf(xy, xz, yz, across, upright)
-        }
-
-        private fun integral(table: TransportTable, component: String, rows: Int, step: Double): DoubleArray {
-            val carried = table[TransportColumns.moment(component)]
-            val jumped = table[TransportColumns.virial(component)]
+        /** G of the five shears by row. */
+        private fun shears(table: TransportTable, walk: HelfandWalk): List<DoubleArray> {
             val mass = table[MASS]
-            var sum = 0.0
-            return DoubleArray(rows) {
-                if (it > 0) sum += (mass[it] * carried[it] + mass[it - 1] * carried[it - 1]) / 2 * step
-                jumped[it] - jumped[0] + sum
+            val all = COMPONENTS.map { component ->
+                val moment = table[TransportColumns.moment(component)]
+                walk.integral(TransportColumns.virial(component), DoubleArray(walk.rows) { mass[it] * moment[it] })
             }
-        }
-
-        /**
-         * By block of time, the mean over the [walks] of the square over the lag 2[half] less the mean of those over its
-         * two halves; null where there are too few blocks.
-         */
-        private fun slopes(walks: List<DoubleArray>, half: Int): DoubleArray? {
-            val origins = walks[0].size - 2 * half
-            val blocks = origins / (2 * half)
-            if (blocks < FEWEST_BLOCKS) return null
-            return DoubleArray(blocks) { b ->
-                val begin = (origins.toLong() * b / blocks).toInt()
-                val end = (origins.toLong() * (b + 1) / blocks).toInt()
-                (begin until end).sumOf { i -> walks.sumOf { rise(it, i, half) } } / (walks.size * (end - begin))
-            }
-        }
-
-        private fun rise(g: DoubleArray, from: Int, half: Int): Double {
-            val first = g[from + half] - g[from]
-            val second = g[from + 2 * half] - g[from + half]
-            return (first + second) * (first + second) - (first * first + second * second) / 2
+            val (xx, yy, zz) = all
+            val across = DoubleArray(walk.rows) { (xx[it] - yy[it]) / 2 }
+            val upright = DoubleArray(walk.rows) { (xx[it] + yy[it] - 2 * zz[it]) / sqrt(12.0) }
+            return all.drop(3) + listOf(across, upright)
         }
     }
 }

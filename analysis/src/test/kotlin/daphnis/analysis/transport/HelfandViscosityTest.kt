@@ -1,9 +1,6 @@
 package daphnis.analysis.transport
 
-import daphnis.analysis.theory.EnskogGas
 import daphnis.core.initial.SeededRandom
-import daphnis.core.run.Run
-import daphnis.core.scenario.BuiltIn
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNotNull
 import org.junit.jupiter.api.Assertions.assertNull
@@ -12,13 +9,12 @@ import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import java.nio.file.Files
 import java.nio.file.Path
-import kotlin.math.PI
 import kotlin.math.abs
-import kotlin.math.cbrt
 import kotlin.math.exp
 import kotlin.math.sqrt
 import kotlin.math.tanh
 
+/** The shear viscosity of made data, whose answer is known. [HelfandGasTest] has that of a gas. */
 class HelfandViscosityTest {
     @TempDir
     lateinit var directory: Path
@@ -110,50 +106,12 @@ class HelfandViscosityTest {
         assertEquals(even.lag, near.lag, 1e-12)
     }
 
-    @Test
-    fun `a gas of spheres has the viscosity of Enskog, and its error covers the mean over seeds`() {
-        val seeds = if (isFull) 48 else 3
-        val found = (1..seeds).map { measured(it, if (isFull) 500 else 108, if (isFull) 100.0 else 45.0).average }
-        val mean = found.sumOf { it.mean } / seeds
-        val spread = sqrt(found.sumOf { (it.mean - mean) * (it.mean - mean) } / (seeds - 1.0))
-        val enskog = EnskogGas.viscosity(1.0, 1.0, FILLING, 1.0)
-        val covered = found.count { abs(it.mean - mean) <= it.error }
-        val said = "η = $mean ± ${spread / sqrt(seeds.toDouble())}, $enskog by Enskog; covered $covered of $seeds, " +
-            "spread over ± is ${spread / sqrt(found.sumOf { it.error * it.error } / seeds)}"
-        if (isFull) println(said)
-        assertTrue(found.all { it.isLevelled }) { said }
-        assertEquals(enskog, mean, if (isFull) 0.06 * enskog else 0.2 * enskog) { said }
-        if (isFull) assertTrue(covered in seeds * 6 / 10..seeds * 3 / 4) { said }
-    }
-
-    private fun measured(seed: Int, count: Int, until: Double): HelfandViscosity {
-        val edge = cbrt(count * PI / 6 / FILLING)
-        val settings = listOf(
-            "particles={\"count\":$count,\"sizes\":{\"type\":\"equal\",\"radius\":0.5},\"mass\":1}",
-            "box.lengths=[$edge,$edge,$edge]",
-            "velocities={\"type\":\"gaussian\",\"temperature\":1,\"exact\":true}",
-            "seed=$seed",
-            "until=$until",
-            "timeStep={\"type\":\"fixed\",\"dt\":0.06}",
-            "output={\"transportEvery\":1}",
-        )
-        val path = directory.resolve("$seed")
-        Run.start(BuiltIn.scenario("elastic-gas", settings), "elastic-gas", path).use { it.execute() }
-        return HelfandViscosity.of(
-            TransportTable.read(path.resolve("transport.csv")).from(5.0),
-            edge * edge * edge,
-            1.0,
-        )!!
-    }
-
     private companion object {
         const val VOLUME = 5.0
         const val MASS = 40
         const val TEMPERATURE = 3.0
         const val MEMORY = 0.3
 
-        /** n σ³ = 1/2. */
-        const val FILLING = PI / 12
         val isFull = System.getProperty("daphnis.physics") == "full"
         val REALISATIONS = if (isFull) 400 else 80
     }

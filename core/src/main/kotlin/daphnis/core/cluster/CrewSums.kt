@@ -11,6 +11,7 @@ import daphnis.core.population.Population
 import daphnis.core.population.PopulationFold
 import daphnis.core.population.SpinSums
 import daphnis.core.scenario.ScenarioSetup
+import daphnis.core.scenario.carriesHeat
 import java.nio.ByteBuffer
 
 /**
@@ -27,7 +28,7 @@ internal class CrewSums(setup: ScenarioSetup) : RemoteParts {
 
     // Of one node.
     private val firstOfNode = FirstMoments(setup.boundary.meanFlow?.normalAxis ?: 0, setup.scenario.firstBody)
-    private val centralOfNode = CentralMoments(setup.boundary.meanFlow, setup.scenario.firstBody)
+    private val centralOfNode = CentralMoments(setup.boundary.meanFlow, setup.scenario.firstBody, setup.carriesHeat)
     private val energiesOfNode = EnergySums(setup.forces, setup.boundary)
     private val spinsOfNode = SpinSums(setup.momentFactor, setup.boundary.space)
     private val materialsOfNode = MaterialSums(setup.population.materials)
@@ -76,9 +77,9 @@ internal class NodeSums(
     private val population: Population,
     private val loop: RangeLoop,
 ) {
-    private val fold = PopulationFold(setup.boundary.meanFlow, setup.scenario.firstBody)
+    private val fold = PopulationFold(setup.boundary.meanFlow, setup.scenario.firstBody, setup.carriesHeat)
     private val first = FirstMoments(setup.boundary.meanFlow?.normalAxis ?: 0, setup.scenario.firstBody)
-    private val central = CentralMoments(setup.boundary.meanFlow, setup.scenario.firstBody)
+    private val central = CentralMoments(setup.boundary.meanFlow, setup.scenario.firstBody, setup.carriesHeat)
     private val energies = EnergySums(setup.forces, setup.boundary)
     private val spins = SpinSums(setup.momentFactor, setup.boundary.space)
     private var materials = byMaterial(0)

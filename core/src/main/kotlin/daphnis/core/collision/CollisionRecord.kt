@@ -49,8 +49,8 @@ public class CollisionRecord() : GrowingTable() {
         private set
 
     /**
-     * Impact speed, coefficient, impulse, separation x y z, tangential impulse x y z, surface dissipation: ten numbers
-     * per collision, the last four 0 for smooth spheres.
+     * Impact speed, coefficient, impulse, separation x y z, tangential impulse x y z, surface dissipation, energy handed
+     * over: eleven numbers per collision, the four before the last 0 for smooth spheres.
      */
     public var data: DoubleArray = DoubleArray(0)
         private set
@@ -90,6 +90,31 @@ public class CollisionRecord() : GrowingTable() {
      */
     public fun surfaceDissipation(k: Int): Double = data[k * WIDTH + 9]
 
+    /**
+     * Kinetic energy that the impulse along the normal brought from the sphere with the lower id to that with the
+     * higher one: [impulse] times the velocity of their centre of mass along the normal. It is all that they exchange if
+     * the impact is elastic and both are smooth. Velocities are those in the box, without the slide of images. 0 for
+     * walls, and where [add] was not told of velocities.
+     */
+    public fun handedOver(k: Int): Double = data[k * WIDTH + HANDED_OVER]
+
+    /** Appends a collision between the places [first] and [second] of [rows], whose velocities are those after it. */
+    public fun add(time: Double, rows: StepRows, first: Int, second: Int, outcome: CollisionOutcome) {
+        add(time, rows.id[first], rows.id[second], outcome)
+        val p = (size - 1) * WIDTH
+        val dx = data[p + 3]
+        val dy = data[p + 4]
+        val dz = data[p + 5]
+        val m1 = rows.mass[first]
+        val m2 = rows.mass[second]
+        val state = rows.state
+        val v1 = first * StepRows.STRIDE + StepRows.VX
+        val v2 = second * StepRows.STRIDE + StepRows.VX
+        val momentum = (m1 * state[v1] + m2 * state[v2]) * dx + (m1 * state[v1 + 1] + m2 * state[v2 + 1]) * dy +
+            (m1 * state[v1 + 2] + m2 * state[v2 + 2]) * dz
+        data[p + HANDED_OVER] = outcome.impulse / Math.sqrt(dx * dx + dy * dy + dz * dz) * (momentum / (m1 + m2))
+    }
+
     /** Appends a collision between the spheres with ids [first] and [second], as described by [outcome]. */
     public fun add(time: Double, first: Int, second: Int, outcome: CollisionOutcome) {
         val k = append()
@@ -111,6 +136,7 @@ public class CollisionRecord() : GrowingTable() {
         data[p + 7] = sign * outcome.slideY + 0.0
         data[p + 8] = sign * outcome.slideZ + 0.0
         data[p + 9] = outcome.rubbed
+        data[p + HANDED_OVER] = 0.0
     }
 
     /** Appends entries [from] until [to] of [other]. */
@@ -155,6 +181,7 @@ public class CollisionRecord() : GrowingTable() {
 
     internal companion object {
         /** Numbers in [data] for each collision. */
-        const val WIDTH = 10
+        const val WIDTH = 11
+        private const val HANDED_OVER = 10
     }
 }

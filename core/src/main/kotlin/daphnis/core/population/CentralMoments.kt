@@ -15,10 +15,12 @@ import java.nio.ByteBuffer
  * boundary's rate and without the mean of the remainder. Allocates nothing once made.
  *
  * @param firstBody spheres with this id or a higher one are left out; [Int.MAX_VALUE] for none
+ * @param carriesHeat whether [heat] is wanted
  */
-internal class CentralMoments(private val flow: MeanFlow?, firstBody: Int) {
+internal class CentralMoments(private val flow: MeanFlow?, firstBody: Int, carriesHeat: Boolean = false) {
     private val normalAxis = flow?.normalAxis ?: 0
     private val sums = Array(SUMS) { ExactSum() }
+    private val heat = Array(if (carriesHeat) 3 else 0) { ExactSum() }
     private val slabs = Array(if (flow == null) 0 else MOST_SLABS * SLAB_WIDTH) { ExactSum() }
     private var means = Means()
 
@@ -38,6 +40,9 @@ internal class CentralMoments(private val flow: MeanFlow?, firstBody: Int) {
     /** Σ m z², where z is the height minus its mean. */
     val squareOfHeight: Double get() = sums[HEIGHT].value()
 
+    /** Σ ½ m w² w_a, with [axis] for a. */
+    fun heat(axis: Int): Double = heat[axis].value()
+
     /** Fills the sums over the flow that [fit] uses. */
     fun fill(fit: FlowFit) {
         fit.across = sums[ACROSS].value()
@@ -49,18 +54,21 @@ internal class CentralMoments(private val flow: MeanFlow?, firstBody: Int) {
     fun clear(means: Means) {
         this.means = means
         for (sum in sums) sum.clear()
+        for (sum in heat) sum.clear()
         for (sum in slabs) sum.clear()
     }
 
     /** Adds the sums of [other], which are around the same means. */
     fun merge(other: CentralMoments) {
         for (k in sums.indices) sums[k].add(other.sums[k])
+        for (k in heat.indices) heat[k].add(other.heat[k])
         for (k in slabs.indices) slabs[k].add(other.slabs[k])
     }
 
     /** Writes the sums in at most [MOST_BYTES], without their means, for [read]. */
     fun write(into: ByteBuffer) {
         for (sum in sums) sum.write(into)
+        for (sum in heat) sum.write(into)
         for (k in 0 until filledSlabs()) slabs[k].write(into)
     }
 
@@ -73,6 +81,7 @@ internal class CentralMoments(private val flow: MeanFlow?, firstBody: Int) {
         clear(means)
         try {
             for (sum in sums) sum.read(from)
+            for (sum in heat) sum.read(from)
             for (k in 0 until filledSlabs()) slabs[k].read(from)
         } catch (e: IllegalArgumentException) {
             clear(means)
@@ -89,6 +98,7 @@ internal class CentralMoments(private val flow: MeanFlow?, firstBody: Int) {
             if (flow != null) order.sort(block, population.position(normalAxis), means)
             load(population)
             addSquares()
+            if (heat.isNotEmpty()) addHeat()
             if (flow != null) addAcross()
         }
     }
@@ -115,6 +125,17 @@ internal class CentralMoments(private val flow: MeanFlow?, firstBody: Int) {
         for (e in 0 until 6) addProducts(SQUARES + e, momentum[FIRST[e]], w[SECOND[e]])
         for (i in 0 until block.size) terms[i] = m[i] * height[i]
         addProducts(HEIGHT, terms, height)
+    }
+
+    private fun addHeat() {
+        val (wx, wy, wz) = w
+        for (axis in 0..2) {
+            val momentum = momentum[axis]
+            for (i in 0 until block.size) {
+                terms[i] = 0.5 * momentum[i] * (wx[i] * wx[i] + wy[i] * wy[i] + wz[i] * wz[i])
+            }
+            heat[axis].addAll(terms, 0, block.size)
+        }
     }
 
     private fun addAcross() {
@@ -150,6 +171,6 @@ internal class CentralMoments(private val flow: MeanFlow?, firstBody: Int) {
         private const val SUMS = 11
 
         /** Bytes of the longest that are written. */
-        const val MOST_BYTES = (SUMS + MOST_SLABS * SLAB_WIDTH) * ExactSum.MOST_BYTES
+        const val MOST_BYTES = (SUMS + 3 + MOST_SLABS * SLAB_WIDTH) * ExactSum.MOST_BYTES
     }
 }

@@ -7,7 +7,11 @@ import daphnis.core.parallel.RangeLoop
  * Both rounds of sums over the spheres of one population, each by the threads of a loop. The population may be that of
  * a simulation or the part of it that one machine holds. Made once; allocates nothing once warm.
  */
-internal class PopulationFold(private val flow: MeanFlow?, private val firstBody: Int) : SumParts {
+internal class PopulationFold(
+    private val flow: MeanFlow?,
+    private val firstBody: Int,
+    private val carriesHeat: Boolean = false,
+) : SumParts {
     private var population: Population? = null
     private var loop: RangeLoop? = null
 
@@ -15,7 +19,7 @@ internal class PopulationFold(private val flow: MeanFlow?, private val firstBody
     private var first: FirstMoments? = null
     private var central: CentralMoments? = null
     private val otherFirst = Workers { FirstMoments(flow?.normalAxis ?: 0, firstBody) }
-    private val otherCentral = Workers { CentralMoments(flow, firstBody) }
+    private val otherCentral = Workers { CentralMoments(flow, firstBody, carriesHeat) }
     private val takeFirst = RangeBody { worker, from, to ->
         (if (worker == 0) first!! else otherFirst[worker - 1]).add(population!!, from, to)
     }

@@ -19,12 +19,14 @@ import kotlin.math.sqrt
  * @param firstBody spheres with this id or a higher one are bodies, such as moonlets: they contribute to mass, momentum
  *   and energy, and to nothing else; [Int.MAX_VALUE] for none
  * @param space in which spheres move, see [granularTemperature]
+ * @property carriesHeat whether [heat] is summed too
  */
 public class PopulationSums @JvmOverloads constructor(
     flow: MeanFlow?,
     internal val frequencies: OrbitalFrequencies? = null,
     internal val firstBody: Int = Int.MAX_VALUE,
     internal val space: Space = Space.VOLUME,
+    public val carriesHeat: Boolean = false,
 ) {
     private val flowAxis = flow?.flowAxis ?: -1
     private val normalAxis = flow?.normalAxis ?: 0
@@ -32,8 +34,8 @@ public class PopulationSums @JvmOverloads constructor(
     private val fit = FlowFit(flowAxis)
     private val means = Means()
     private val first = FirstMoments(normalAxis, firstBody)
-    private val central = CentralMoments(flow, firstBody)
-    private val whole = PopulationFold(flow, firstBody)
+    private val central = CentralMoments(flow, firstBody, carriesHeat)
+    private val whole = PopulationFold(flow, firstBody, carriesHeat)
 
     /** Number of spheres, including bodies. */
     public val count: Int get() = first.spheres
@@ -63,6 +65,12 @@ public class PopulationSums @JvmOverloads constructor(
      * shear flow needs. There is no correction for degrees of freedom. Valid until the next [take].
      */
     public val kinetic: DoubleArray = DoubleArray(6)
+
+    /**
+     * Σ ½ m w² w_a along x, y, z, mass · (length/time)³: the part of the heat flux times volume that particles carry. 0
+     * unless it was asked for ([carriesHeat]). Valid until the next [take].
+     */
+    public val heat: DoubleArray = DoubleArray(3)
 
     /** ⟨velocity − the boundary's flow⟩ along x, y, z; valid until the next [take]. */
     public val mean: DoubleArray = DoubleArray(3)
@@ -126,6 +134,7 @@ public class PopulationSums @JvmOverloads constructor(
             fit.squares[e] = sums.square(e)
             kinetic[e] = fit.squares[e] * over
         }
+        if (carriesHeat) for (axis in 0..2) heat[axis] = sums.heat(axis)
         scaleHeight = sqrt(sums.squareOfHeight * over)
         if (flowAxis >= 0) sums.fill(fit)
         fit.solve(first.count, mass, means.slabCount)

@@ -13,6 +13,7 @@ import daphnis.core.population.SpinSums
 import daphnis.core.scenario.OutputSpec
 import daphnis.core.scenario.ResolvedScenario
 import daphnis.core.scenario.ScenarioSetup
+import daphnis.core.scenario.carriesHeat
 import daphnis.core.wave.ModeSums
 
 /**
@@ -104,7 +105,8 @@ internal fun planOf(
     }
     return closingIfItThrows(simulation) {
         val boundary = setup.boundary
-        val sums = PopulationSums(boundary.meanFlow, setup.frequencies, scenario.firstBody, boundary.space)
+        val flow = boundary.meanFlow
+        val sums = PopulationSums(flow, setup.frequencies, scenario.firstBody, boundary.space, setup.carriesHeat)
         RunPlan(scenario, scenario.name, scenario.end, endSlack(scenario.timeStep), output, own, simulation, sums)
     }
 }

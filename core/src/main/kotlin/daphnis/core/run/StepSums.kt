@@ -34,6 +34,9 @@ internal class StepSums(
     /** Whether there are sums over spins. */
     val haveSpins: Boolean get() = spins != null
 
+    /** Whether there are sums over the heat that particles carry. */
+    val haveHeat: Boolean get() = sums.carriesHeat
+
     /** Spheres with this id or a higher one are bodies. */
     val firstBody: Int get() = sums.firstBody
 

@@ -16,7 +16,7 @@ import daphnis.core.table.TableColumns
 /** The declaration of [Transport]. Its sums cannot begin in the middle of a run, nor end there. */
 internal object TransportOutput :
     PeriodicOutput("transport", OutputSpec::transportEvery, OutputSpec::transportInterval) {
-    private const val ROW_BYTES = 480
+    private const val ROW_BYTES = 600
 
     override val tables: List<TableColumns> get() = listOf(TransportColumns, ImpactColumns)
     override val readsCollisions: Boolean get() = true
@@ -37,10 +37,11 @@ internal object TransportOutput :
  */
 internal class Transport(private val times: OutputTimes, private val sums: StepSums, private val files: RunFiles) :
     Output {
-    private val rows = TransportColumns.rows(sums.haveSpins, sums.areWallsDriven, sums.surfaces)
+    private val rows = TransportColumns.rows(sums.haveSpins, sums.areWallsDriven, sums.surfaces, sums.haveHeat)
     private val file = files.table(rows)
     private val statistics = CollisionStatistics()
     private val walls = if (sums.areWallsDriven) WallStatistics() else null
+    private val heat = if (sums.haveHeat) HeatStatistics() else null
     private var gravity: MutualGravity? = null
 
     override fun open(simulation: Simulation, opening: Opening) {
@@ -50,29 +51,33 @@ internal class Transport(private val times: OutputTimes, private val sums: StepS
     override fun write(simulation: Simulation) {
         statistics.write(simulation)
         walls?.write(simulation)
+        heat?.write(simulation)
         if (!times.isDue(simulation)) return
-        rows.write(TransportRow(simulation, sums.of(simulation), statistics, walls, gravity), file.line())
+        rows.write(TransportRow(simulation, sums.of(simulation), statistics, walls, heat, gravity), file.line())
         file.endLine()
     }
 
     override fun save(state: OutputState) {
         statistics.save(state)
         walls?.save(state)
+        heat?.save(state)
         files.writeWhole(ImpactColumns.file, ImpactColumns.table(statistics, files.units))
     }
 
     override fun restore(state: OutputState) {
         statistics.restore(state)
         walls?.restore(state)
+        heat?.restore(state)
     }
 }
 
-/** The source of a row of `transport.csv`; [collisions] and [walls] count from the start of the run. */
+/** The source of a row of `transport.csv`; [collisions], [walls] and [heat] count from the start of the run. */
 internal class TransportRow(
     val simulation: Simulation,
     val sums: PopulationSums,
     val collisions: CollisionStatistics,
     val walls: WallStatistics?,
+    val heat: HeatStatistics?,
     private val gravity: MutualGravity?,
 ) {
     val gravityXY: Double get() = gravity?.stressXY(simulation.population, simulation.time) ?: 0.0
@@ -80,8 +85,8 @@ internal class TransportRow(
 
 /**
  * The columns of `transport.csv`; `docs/guide.md` says what they mean. A further quantity is a further line here. Those
- * from `virial_yx` on are only there where spheres have spins, and those from [WALL_WORK] on where walls move or are
- * thermal.
+ * from `virial_yx` on are only there where spheres have spins, those from [WALL_WORK] on where walls move or are thermal,
+ * and those from [KINETIC_HEAT] on of smooth elastic gases at rest.
  */
 public object TransportColumns : TableColumns {
     private val COMPONENTS = listOf("xx", "yy", "zz", "xy", "xz", "yz")
@@ -166,12 +171,32 @@ public object TransportColumns : TableColumns {
         Dimension.MOMENTUM,
     ) { row, k -> row.walls?.surfaceImpulse(k) ?: 0.0 }
 
+    /** Σ ½ m w² w_a along x, y, z, at the time: what of the heat flux particles carry, times the volume. */
+    @JvmField
+    public val KINETIC_HEAT: List<Column> =
+        rows.each(listOf("x", "y", "z").map { "kinetic_heat_$it" }, Dimension.ENERGY_SPEED) { row, axis ->
+            row.sums.heat[axis]
+        }
+
+    /** Σ ΔE δ_a over collisions since the start: ΔE is the energy that the sphere gained to which δ points. */
+    @JvmField
+    public val COLLISIONAL_HEAT: List<Column> =
+        rows.each(listOf("x", "y", "z").map { "collisional_heat_$it" }, Dimension.ENERGY_LENGTH) { row, axis ->
+            row.heat?.carried(axis) ?: 0.0
+        }
+
     /** The columns of a run with so many [surfaces]. */
-    internal fun rows(haveSpins: Boolean, areWallsDriven: Boolean, surfaces: Int): Columns<TransportRow> {
+    internal fun rows(
+        haveSpins: Boolean,
+        areWallsDriven: Boolean,
+        surfaces: Int,
+        haveHeat: Boolean,
+    ): Columns<TransportRow> {
         val ofSpins = if (haveSpins) emptyList() else turned
         val told = if (areWallsDriven) surfaces else 0
         val ofWalls = (if (areWallsDriven) emptyList() else WALL_IMPULSE + WALL_WORK) + SURFACE_IMPULSE.drop(told)
-        return if (ofSpins.isEmpty() && ofWalls.isEmpty()) rows else rows.without((ofSpins + ofWalls).toSet())
+        val ofHeat = if (haveHeat) emptyList() else KINETIC_HEAT + COLLISIONAL_HEAT
+        return rows.without((ofSpins + ofWalls + ofHeat).toSet())
     }
 
     /** ⟨c_a c_b⟩ by component, such as `xx`. */

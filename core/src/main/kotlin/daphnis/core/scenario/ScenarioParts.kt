@@ -73,6 +73,17 @@ public interface ScenarioParts {
         }
     }
 
+    /** Whether smooth elastic spheres meet each other, and nothing else, in a box at rest that repeats. */
+    public val isElasticAtRest: Boolean
+        get() = boundary is BoundarySpec.Periodic &&
+            frame == null &&
+            forces.isEmpty() &&
+            bodies.isEmpty() &&
+            impacts.all {
+                val isElastic = (it.restitution as? RestitutionSpec.Constant)?.coefficient == 1.0
+                isElastic && (it.roughness == null || it.roughness is RoughnessSpec.Smooth)
+            }
+
     /** Time at which the run starts: that of the state from which it is placed, otherwise 0. */
     public val startTime: Double get() = (placement as? PlacementSpec.File)?.time ?: 0.0
 

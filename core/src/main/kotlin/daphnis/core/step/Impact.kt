@@ -110,7 +110,7 @@ internal open class Impact(
         if (!isCounted(first, second)) return
         counted.collisions++
         if (outcome.guarded) counted.guardActivations++
-        record?.add(time, rows.id[first], rows.id[second], outcome)
+        record?.add(time, rows, first, second, outcome)
     }
 
     private fun goOn(place: Int, except: Int): Boolean {

@@ -36,6 +36,10 @@ public object Dimension {
     public const val MOMENTUM: String = "mass length/time"
     public const val ENERGY: String = "mass length^2/time^2"
 
+    /** Energy carried over a length, and a flux of energy times a volume. */
+    public const val ENERGY_LENGTH: String = "mass length^3/time^2"
+    public const val ENERGY_SPEED: String = "mass length^3/time^3"
+
     public const val WAVENUMBER: String = "1/length"
 
     /** Momentum carried over a length, Σ Δp δ, and angular momentum. */

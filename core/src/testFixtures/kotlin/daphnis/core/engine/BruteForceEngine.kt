@@ -56,7 +56,7 @@ class BruteForceEngine : CollisionEngine {
                 if (step.law.collide(rows, a, b, queue.image, images, time, outcome)) {
                     step.counters.collisions++
                     if (outcome.guarded) step.counters.guardActivations++
-                    step.record?.add(time, rows.id[a], rows.id[b], outcome)
+                    step.record?.add(time, rows, a, b, outcome)
                 }
                 for (c in 0 until n) if (c != a && c != b) codes.forEach { queue(step, b, c, it) }
                 queueWalls(step, b)

@@ -1,6 +1,8 @@
 package daphnis.analysis.report
 
 import daphnis.analysis.table.UnitNames
+import daphnis.analysis.transport.HelfandBulkViscosity
+import daphnis.analysis.transport.HelfandConductivity
 import daphnis.analysis.transport.HelfandViscosity
 import daphnis.analysis.transport.Transport
 
@@ -57,16 +59,29 @@ internal class BoxNumbers(private val study: Study) {
         val scenario = study.physics ?: return
         if (!ElasticGas.isAtRest(scenario, study.last) || scenario.growth != null || space.isPlane) return
         val table = study.input.transport?.from(study.from) ?: return
-        val found = HelfandViscosity.of(table, study.last.boundary.box.volume, 2 * bulk.meanRadius) ?: return
-        val note = "Einstein–Helfand, slope over lags from ${ReportText.short(found.lag / 2)} to " +
-            UnitNames.amount(ReportText.short(found.lag), units.time)
-        rows.average("viscosity_helfand", "shear viscosity η", found.average, units.of("mass/(length time)"), note)
+        val (volume, diameter) = study.last.boundary.box.volume to 2 * bulk.meanRadius
+        val unit = units.of("mass/(length time)")
+        HelfandViscosity.of(table, volume, diameter)?.let {
+            rows.average("viscosity_helfand", "shear viscosity η", it.average, unit, lags(it.lag))
+        }
+        HelfandBulkViscosity.of(table, volume, diameter)?.let {
+            rows.average("bulk_viscosity_helfand", "bulk viscosity κ", it.average, unit, lags(it.lag))
+        }
+        if (!ElasticGas.isSeen(scenario, study.last)) return
+        HelfandConductivity.of(table, volume, diameter)?.let {
+            val name = "heat conductivity λ/k"
+            rows.average("conductivity_helfand", name, it.average, units.of("1/(length time)"), lags(it.lag))
+        }
     }
+
+    private fun lags(longest: Double): String = "Einstein–Helfand, slope over lags from " +
+        "${ReportText.short(longest / 2)} to ${UnitNames.amount(ReportText.short(longest), units.time)}"
 
     private fun references(): Map<String, Reference> {
         val scenario = study.physics ?: return emptyMap()
         val (last, filling) = study.last to bulk.fillingFactor
-        return References.ofElastic(scenario, last, filling, motion.temperature.mean, bulk.numberDensity) +
+        return ElasticReferences.of(scenario, last, filling, motion.temperature.mean, bulk.numberDensity) +
+            CoolingReferences.of(scenario, last) +
             References.ofHeated(scenario, last, bulk.numberDensity) +
             References.ofShear(scenario, last, filling)
     }

@@ -1,8 +1,6 @@
 package daphnis.analysis.report
 
 import daphnis.analysis.insitu.State
-import daphnis.core.scenario.BoundarySpec
-import daphnis.core.scenario.RestitutionSpec
 import daphnis.core.scenario.RoughnessSpec
 import daphnis.core.scenario.Scenario
 import kotlin.math.abs
@@ -17,16 +15,8 @@ internal object ElasticGas {
         isAtRest(scenario, last) && areEqual(last.population.radius) && areEqual(last.population.mass)
 
     /** The same of spheres that may differ in size and mass. */
-    fun isAtRest(scenario: Scenario, last: State): Boolean {
-        val isElastic = scenario.impacts.all { (it.restitution as? RestitutionSpec.Constant)?.coefficient == 1.0 }
-        return isElastic &&
-            scenario.boundary is BoundarySpec.Periodic &&
-            (0 until last.dimensions).all { last.boundary.repeats(it) } &&
-            scenario.frame == null &&
-            isSmooth(scenario) &&
-            scenario.forces.isEmpty() &&
-            scenario.bodies.isEmpty()
-    }
+    fun isAtRest(scenario: Scenario, last: State): Boolean =
+        scenario.isElasticAtRest && (0 until last.dimensions).all { last.boundary.repeats(it) }
 
     /** Whether spheres slide on one another without friction. */
     fun isSmooth(scenario: Scenario): Boolean =

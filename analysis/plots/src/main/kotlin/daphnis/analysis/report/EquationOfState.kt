@@ -1,16 +1,17 @@
 package daphnis.analysis.report
 
-/** Compressibility P V/(N kT) of the fluid of equal hard spheres, and of equal hard discs, by filling factor. */
+import daphnis.analysis.theory.HardDiscs
+import daphnis.analysis.theory.HardSpheres
+
+/**
+ * Compressibility P V/(N kT) of equal hard spheres, and of equal hard discs, by formulas that stay finite in what grows
+ * beyond the fluid.
+ */
 internal object EquationOfState {
     const val CARNAHAN = "Carnahan & Starling 1969"
     const val HENDERSON = "Henderson 1975"
 
-    /** Carnahan & Starling 1969, J. Chem. Phys. 51, 635. */
-    fun ofSpheres(filling: Double): Double {
-        val free = 1 - filling
-        return 1 + 4 * filling * (1 - filling / 2) / (free * free * free)
-    }
+    fun ofSpheres(filling: Double): Double = HardSpheres.carnahanStarling(filling)
 
-    /** Henderson 1975, Mol. Phys. 30, 971. */
-    fun ofDiscs(filling: Double): Double = (1 + filling * filling / 8) / ((1 - filling) * (1 - filling))
+    fun ofDiscs(filling: Double): Double = HardDiscs.henderson(filling)
 }

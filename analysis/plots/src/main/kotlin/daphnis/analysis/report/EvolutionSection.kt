@@ -63,6 +63,7 @@ internal class EvolutionSection(private val study: Study) : Section {
         val rate = plots.collisionRate()
         val energies = plots.energies()
         if (temperatures.isNotEmpty()) {
+            val haff = CoolingReferences.line(study, temperatures[0])
             val ofSpins = if (temperatures.size ==
                 1
             ) {
@@ -72,10 +73,14 @@ internal class EvolutionSection(private val study: Study) : Section {
             }
             study.draw(
                 page,
-                plots.temperaturePlot(temperatures),
+                plots.temperaturePlot(temperatures + listOfNotNull(haff)),
                 "temperature",
                 "granular temperature over time",
-                "Granular temperature$ofSpins; steady where it no longer drifts.",
+                "Granular temperature$ofSpins; " + if (haff == null) {
+                    "steady where it no longer drifts."
+                } else {
+                    "Haff's law begins at the first row, with the rate of Enskog (Garzó & Dufty 1999)."
+                },
                 SeriesPlots.HEIGHT,
             )
         }

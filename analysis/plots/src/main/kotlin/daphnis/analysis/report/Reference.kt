@@ -1,7 +1,6 @@
 package daphnis.analysis.report
 
 import daphnis.analysis.insitu.State
-import daphnis.analysis.theory.EnskogGas
 import daphnis.analysis.theory.HeatedGas
 import daphnis.core.orbit.OrbitalFrequencies
 import daphnis.core.scenario.BoundarySpec
@@ -10,7 +9,6 @@ import daphnis.core.scenario.GuardSpec
 import daphnis.core.scenario.RestitutionSpec
 import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.ThermostatSpec
-import kotlin.math.PI
 import kotlin.math.abs
 import kotlin.math.hypot
 import kotlin.math.sqrt
@@ -23,7 +21,7 @@ internal class Reference(val value: Double, val error: Double, val source: Strin
 
 /**
  * Numbers that are known for some scenarios: steady ring patches and sheared gases measured with an independent
- * event-driven code (docs/validation.md), and the equation of state of the elastic gas. By [NumberRow.key]. There are
+ * event-driven code (docs/validation.md), and gases that noise heats. [ElasticReferences] has elastic ones. By [NumberRow.key]. There are
  * none unless everything that decides the number is as it was there: sizes and masses, restitution with its scale,
  * forces, frame and faces.
  *
@@ -111,34 +109,6 @@ internal object References {
         )
     }
 
-    /** Collision rate, compressibility and viscosity of an elastic gas of equal spheres. */
-    fun ofElastic(
-        scenario: Scenario,
-        last: State,
-        filling: Double,
-        temperature: Double,
-        numberDensity: Double,
-    ): Map<String, Reference> {
-        if (!ElasticGas.isSeen(scenario, last)) return emptyMap()
-        if (last.dimensions == 2) return ofDiscs(last, filling, temperature, numberDensity)
-        if (filling > 0.49) return emptyMap()
-        val compressibility = EquationOfState.ofSpheres(filling)
-        val contact = (compressibility - 1) / (4 * filling)
-        val diameter = 2 * last.population.radius[0]
-        val rate = 4 * sqrt(PI * temperature) * numberDensity * contact * diameter * diameter
-        return mapOf(
-            "collisions_per_particle" to Reference(rate, STATE_BOUND / 3 * rate, CARNAHAN),
-            "compressibility" to Reference(compressibility, STATE_BOUND / 3 * compressibility, CARNAHAN),
-        ) + ofViscosity(last, filling, temperature)
-    }
-
-    private fun ofViscosity(last: State, filling: Double, temperature: Double): Map<String, Reference> {
-        if (filling > EnskogGas.MOST_FILLED) return emptyMap()
-        val mass = last.population.mass[0]
-        val viscosity = EnskogGas.viscosity(2 * last.population.radius[0], mass, filling, mass * temperature)
-        return mapOf("viscosity_helfand" to Reference(viscosity, ENSKOG_BOUND / 3 * viscosity, ENSKOG))
-    }
-
     /** Temperature and a₂ of a gas that white noise heats, van Noije & Ernst 1998. */
     fun ofHeated(scenario: Scenario, last: State, numberDensity: Double): Map<String, Reference> {
         val law = scenario.restitution as? RestitutionSpec.Constant ?: return emptyMap()
@@ -156,20 +126,8 @@ internal object References {
         return temperature + ("velocity_a2" to Reference(a2, CUMULANT_BOUND / 3, NOIJE))
     }
 
-    /** The same of discs, of Henderson 1975 (Mol. Phys. 30, 971). */
-    private fun ofDiscs(last: State, filling: Double, temperature: Double, density: Double): Map<String, Reference> {
-        if (filling > MOST_OF_HENDERSON) return emptyMap()
-        val compressibility = EquationOfState.ofDiscs(filling)
-        val contact = (compressibility - 1) / (2 * filling)
-        val rate = 2 * sqrt(PI * temperature) * density * contact * 2 * last.population.radius[0]
-        return mapOf(
-            "collisions_per_particle" to Reference(rate, STATE_BOUND / 3 * rate, ENSKOG_OF_DISCS),
-            "compressibility" to Reference(compressibility, STATE_BOUND / 3 * compressibility, HENDERSON),
-        )
-    }
-
     /** Whether equal spheres meet each other and nothing else: no force but [heated], no body, no guard that is felt. */
-    private fun isPlain(scenario: Scenario, last: State, heated: ForceSpec? = null): Boolean =
+    fun isPlain(scenario: Scenario, last: State, heated: ForceSpec? = null): Boolean =
         scenario.forces == listOfNotNull(heated) &&
             scenario.contacts.isEmpty() &&
             ElasticGas.isSmooth(scenario) &&
@@ -204,13 +162,4 @@ internal object References {
      */
     private const val HEATED_BOUND = 0.05
     private const val CUMULANT_BOUND = 0.005
-    private const val ENSKOG = "Enskog, Chapman & Cowling 1970"
-    private const val ENSKOG_BOUND = 0.1
-    private const val ENSKOG_OF_DISCS = "Enskog, χ of Henderson 1975"
-    private const val CARNAHAN = EquationOfState.CARNAHAN
-    private const val HENDERSON = EquationOfState.HENDERSON
-
-    /** Area fraction up to which the equation of state is within its bound. */
-    private const val MOST_OF_HENDERSON = 0.5
-    private const val STATE_BOUND = 0.005
 }

@@ -8,6 +8,7 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import kotlin.math.PI
+import kotlin.math.cbrt
 
 /** A number from elsewhere stands beside one of a run only where everything that decides it is the same. */
 class ReferenceTest {
@@ -55,20 +56,48 @@ class ReferenceTest {
         ) {
             assertEquals(emptyMap<String, Reference>(), sheared(other)) { other }
         }
-        assertEquals(3, elastic().size)
-        assertEquals(3, elastic("roughness={\"type\":\"smooth\"}").size)
+        assertEquals(5, elastic().size)
+        assertEquals(5, elastic("roughness={\"type\":\"smooth\"}").size)
         for (
         other in listOf(
             "restitution.coefficient=0.99",
             "restitution={\"type\":\"viscoelastic\",\"speed\":1,\"coefficient\":1}",
             "boundary={\"type\":\"walls\"}",
             "forces=[{\"type\":\"uniform-acceleration\",\"acceleration\":[0,0,-1]}]",
-            "particles.sizes={\"type\":\"list\",\"radii\":[0.4,0.5]}",
             "roughness={\"type\":\"constant\",\"coefficient\":0}",
         )
         ) {
             assertEquals(emptyMap<String, Reference>(), elastic(other)) { other }
         }
+    }
+
+    @Test
+    fun `spheres of two sizes have the pressure of a mixture, which is that of one size where both are nearly equal`() {
+        val near = elastic("particles.sizes={\"type\":\"list\",\"radii\":[0.49999,0.5]}")
+        assertEquals(setOf("compressibility", "collisions_per_particle"), near.keys)
+        for ((key, reference) in near) {
+            assertTrue("BMCSL" in reference.source)
+            assertEquals(elastic().getValue(key).value, reference.value, 2e-3 * reference.value) { key }
+        }
+        val mixed = elastic("particles.sizes={\"type\":\"list\",\"radii\":[0.25,0.5]}")
+        // n = 0.191: φ = 0.05625 of d = 1 and 1/2 in equal numbers.
+        assertEquals(1.228, mixed.getValue("compressibility").value, 2e-3)
+    }
+
+    @Test
+    fun `a crystal has its own pressure, between the two phases there is none`() {
+        fun lattice(edge: Double) = elastic(
+            "placement={\"type\":\"lattice\",\"lattice\":\"fcc\"}",
+            "particles.count=500",
+            "box.lengths=[$edge,$edge,$edge]",
+        )
+        val crystal = lattice(cbrt(500 * PI / 6 / 0.5433))
+        assertEquals(11.148, crystal.getValue("compressibility").value, 1e-3)
+        assertTrue("Speedy" in crystal.getValue("collisions_per_particle").source)
+        assertEquals(emptyMap<String, Reference>(), lattice(cbrt(500 * PI / 6 / 0.52)))
+        val fluid = lattice(10.0)
+        assertEquals(3.26737, fluid.getValue("compressibility").value, 2e-5)
+        assertTrue(fluid.getValue("compressibility").error in 1e-4..1e-3)
     }
 
     @Test
@@ -107,7 +136,7 @@ class ReferenceTest {
         /** References of `elastic-gas`. */
         fun elastic(vararg settings: String) = of("elastic-gas", settings) { setup, state ->
             val density = state.population.size / state.boundary.box.volume
-            References.ofElastic(written(setup), state, filling(state), 1.0, density)
+            ElasticReferences.of(written(setup), state, filling(state), 1.0, density)
         }
 
         private fun written(setup: ScenarioSetup) =

@@ -1,0 +1,50 @@
+package daphnis.core.run
+
+import daphnis.core.Output
+import daphnis.core.OutputState
+import daphnis.core.Simulation
+import daphnis.core.population.ExactSum
+
+/**
+ * The heat that collisions of smooth elastic spheres carry from centre to centre, since the start of a run. Sums are
+ * exact ([ExactSum]): the order of the collisions changes no bit. The simulation's collisional forcing must record
+ * collisions.
+ */
+public class HeatStatistics : Output {
+    private val sums = Array(3) { ExactSum() }
+    private var lastStep = -1L
+
+    /**
+     * Σ ΔE δ_a along [axis], mass · length³/time²: over volume and time it is the collisional part of the heat flux in a
+     * gas whose centre of mass is at rest.
+     */
+    public fun carried(axis: Int): Double = sums[axis].value()
+
+    override fun write(simulation: Simulation) {
+        if (simulation.step == lastStep || simulation.step == 0L) return
+        lastStep = simulation.step
+        val record =
+            checkNotNull(simulation.collisions?.record) {
+                "collisions are not recorded; make CollisionForcing with recordCollisions = true"
+            }
+        for (k in 0 until record.size) {
+            if (record.isWall(k)) continue
+            for (axis in 0..2) sums[axis].add(record.handedOver(k) * record.separation(k, axis))
+        }
+    }
+
+    override fun save(state: OutputState) {
+        for (axis in 0..2) state.put("$SUM$axis", sums[axis].parts().toDoubleArray())
+    }
+
+    override fun restore(state: OutputState) {
+        for (axis in 0..2) {
+            sums[axis].clear()
+            for (part in state.doubles("$SUM$axis")) sums[axis].add(part)
+        }
+    }
+
+    private companion object {
+        const val SUM = "heatSum"
+    }
+}

@@ -1,0 +1,11 @@
+package daphnis.core.scenario
+
+/**
+ * Whether a run sums what heat the spheres carry: only where it writes `transport.csv`, and the gas is at rest and
+ * elastic, so that its conductivity follows.
+ */
+internal val ScenarioSetup.carriesHeat: Boolean
+    get() = scenario.isElasticAtRest &&
+        scenario.growth == null &&
+        (0..2).all { boundary.repeats(it) } &&
+        (scenario.output.transportEvery != 0 || scenario.output.transportInterval != null)
