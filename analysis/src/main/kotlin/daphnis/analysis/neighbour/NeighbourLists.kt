@@ -86,16 +86,26 @@ public class NeighbourLists private constructor(
             }
             val length = DoubleArray(to.size) { sqrt(v[0][it] * v[0][it] + v[1][it] * v[1][it] + v[2][it] * v[2][it]) }
             // By distance, and of equal ones by index: whatever the order in which pairs were found.
-            val order = arrayOfNulls<Int>(to.size)
-            for (k in order.indices) order[k] = k
-            for (i in 0 until p.size) {
-                java.util.Arrays.sort(order, start[i], start[i + 1]) { a, b ->
-                    length[a!!].compareTo(length[b!!]).let { if (it != 0) it else to[a].compareTo(to[b]) }
+            val order = IntArray(to.size) { it }
+            for (i in 0 until p.size) sort(order, start[i], start[i + 1], length, to)
+            other = IntArray(to.size) { to[order[it]] }
+            vector = Array(3) { axis -> DoubleArray(to.size) { v[axis][order[it]] } }
+            distance = DoubleArray(to.size) { length[order[it]] }
+        }
+
+        /** By insertion: there are some tens. */
+        private fun sort(order: IntArray, from: Int, until: Int, length: DoubleArray, to: IntArray) {
+            for (k in from + 1 until until) {
+                val one = order[k]
+                var at = k
+                while (at > from) {
+                    val before = order[at - 1]
+                    val isLater = length[one] > length[before] || length[one] == length[before] && to[one] > to[before]
+                    if (isLater) break
+                    order[at--] = before
                 }
+                order[at] = one
             }
-            other = IntArray(to.size) { to[order[it]!!] }
-            vector = Array(3) { axis -> DoubleArray(to.size) { v[axis][order[it]!!] } }
-            distance = DoubleArray(to.size) { length[order[it]!!] }
         }
 
         private inline fun each(action: (Int, Int, Double, Double, Double) -> Unit) {
