@@ -69,6 +69,56 @@ class StructureReportTest {
         assertFalse(rows(path, "numbers").any { it[0] in KEYS })
     }
 
+    @Test
+    fun `a crystal is solid-like and has its bond order, a fluid of discs little order`() {
+        val path = report(
+            "crystal",
+            "crystal",
+            "box.lengths=[6.272,6.272,6.272]",
+            "particles.count=256",
+            "until=4",
+            "output={\"snapshotEvery\":4}",
+        )
+        val numbers = rows(path, "numbers").associateBy { it[0] }
+        fun value(key: String) = numbers.getValue(key)[1].toDouble()
+        assertTrue(value("solid_like_share") > 0.99 && value("largest_solid_share") > 0.99)
+        assertTrue(value("bond_order_q6") in 0.45..0.57 && value("bond_order_w6") < 0)
+        assertTrue(value("bond_order_average_q6") in 0.4..0.57)
+        val order = rows(path, "bond-order")
+        assertEquals(1.0, order.drop(1).sumOf { it[1].toDouble() } * 0.65 / 50, 1e-9)
+        assertTrue("Order of neighbours" in Files.readString(path.resolve("report.html")))
+        val discs = report(
+            "discs",
+            "hard-discs",
+            "particles.count=300",
+            "box.lengths=[19.4,19.4]",
+            "placement={\"type\":\"grown\"}",
+            "until=10",
+            "output.snapshotInterval=0.5",
+        )
+        val ofDiscs = rows(discs, "numbers").associateBy { it[0] }
+        assertTrue(ofDiscs.getValue("hexatic_order_local")[1].toDouble() in 0.4..0.8)
+        assertTrue(ofDiscs.getValue("hexatic_order")[1].toDouble() < 0.5)
+        assertFalse("bond_order_q6" in ofDiscs)
+    }
+
+    @Test
+    fun `a gas that cools has spectra with the critical length, and clusters`() {
+        val path = report(
+            "cooling",
+            "cooling-gas",
+            "particles.count=1000",
+            "until=30",
+            "output={\"snapshotEvery\":50,\"seriesEvery\":10}",
+        )
+        val page = Files.readString(path.resolve("report.html"))
+        assertTrue("Vortices and clusters" in page && "L_c is" in page)
+        val clusters = rows(path, "clusters")
+        assertEquals(1.0, clusters.drop(1).sumOf { it[2].toDouble() }, 1e-9)
+        assertEquals(listOf("k [1/", "S_transverse"), rows(path, "velocity-spectra")[0].let { listOf(it[0].take(5), it[1]) })
+        assertTrue(rows(path, "cluster-history").size > 2)
+    }
+
     private companion object {
         val KEYS = listOf("structure_factor_zero", "contact_value")
     }
