@@ -14,7 +14,7 @@ import kotlin.math.sqrt
  * otherwise; S is Σ √(x_a x_b) S_ab over all ordered pairs. Particles in no group count nowhere.
  *
  * NaN in a bin without a wave vector, and without particles. Time goes with particles times wave vectors: where these are
- * more than 3 · 10⁷, each bin has as many vectors, spread over its directions, at least one. Another choice of vectors is
+ * more than 6 · 10⁶, each bin has as many vectors, spread over its directions, at least one. Another choice of vectors is
  * another sample of the same mean, so this costs precision only, and not where vectors are few, at small k.
  *
  * @param largest largest |k|, in 1/length
@@ -69,7 +69,7 @@ public class SpatialStructureFactor @JvmOverloads constructor(
     }
 
     private companion object {
-        /** Particles times wave vectors: a tenth of a second. */
-        const val MOST_WORK = 30_000_000L
+        /** Particles times wave vectors: some 20 ms. */
+        const val MOST_WORK = 6_000_000L
     }
 }
