@@ -11,7 +11,13 @@ import kotlin.math.sqrt
  * images that have slid. Of k and −k, which tell the same, one is there. Of a shell that has more than [most], so many
  * are taken, spread over the shell: the same ones for equal boxes.
  */
-internal class WaveVectors(private val boundary: BoundaryConditions, time: Double, largest: Double, shells: Int, most: Int) {
+internal class WaveVectors(
+    private val boundary: BoundaryConditions,
+    time: Double,
+    largest: Double,
+    shells: Int,
+    most: Int,
+) {
     private val shear = boundary.shear?.takeIf { boundary.hasImages(it.normalAxis) && boundary.hasImages(it.slideAxis) }
     private val lean = shear?.let { it.offset(time) / boundary.box.length(it.normalAxis) } ?: 0.0
     private val unit = DoubleArray(AXES) { if (boundary.hasImages(it)) 2 * PI / boundary.box.length(it) else 0.0 }
@@ -63,7 +69,15 @@ internal class WaveVectors(private val boundary: BoundaryConditions, time: Doubl
 
     /** exp(i k·r) must be the same at an image: k·(L across, offset along) is a multiple of 2π. */
     private fun component(axis: Int, x: Int, y: Int, z: Int): Double {
-        fun straight(a: Int) = unit[a] * (if (a == 0) x else if (a == 1) y else z)
+        fun straight(a: Int) = unit[a] * (
+            if (a == 0) {
+                x
+            } else if (a == 1) {
+                y
+            } else {
+                z
+            }
+            )
         val own = straight(axis)
         return if (axis == shear?.normalAxis) own - lean * straight(shear.slideAxis) else own
     }

@@ -2,7 +2,6 @@ package daphnis.analysis.diffusion
 
 import daphnis.analysis.statistics.BlockAverage
 import kotlin.math.abs
-import kotlin.math.sqrt
 
 /**
  * A coefficient of self-diffusion, and the lags over which it was fitted.
@@ -104,7 +103,8 @@ public class MeanSquareDisplacement(trajectories: Trajectories) {
             val early = rise(mean, t, 2 * t)
             val slope = late.average()
             val difference = DoubleArray(late.size) { late[it] - early[it] }
-            val allowed = maxOf(SAME_SLOPE * slope, minOf(2 * OverOrigins.scatter(difference, 4 * t), MOST_NOISE * slope))
+            val allowed =
+                maxOf(SAME_SLOPE * slope, minOf(2 * OverOrigins.scatter(difference, 4 * t), MOST_NOISE * slope))
             if (slope > 0 && abs(difference.average()) <= allowed) return 2 * t - 1
             t++
         }

@@ -77,7 +77,7 @@ public class SelfScattering @JvmOverloads constructor(
         val axes = t.coordinates.indices
         val taken = (t.particles + every - 1) / every
         for (origin in result[0].indices) {
-                var f = 0.0
+            var f = 0.0
             var two = 0.0
             var four = 0.0
             for (k in 0 until t.particles step every) {

@@ -80,7 +80,15 @@ public sealed class Neighbours {
             val pairs = PairCorrelation(farthest, (farthest / diameter * BINS).toInt().coerceAtLeast(3))
             val g = DoubleArray(pairs.bins)
             for (state in states) for ((bin, value) in pairs.of(state).withIndex()) g[bin] += value
-            val mean = DoubleArray(g.size) { if (it == 0 || it == g.size - 1) Double.NaN else g[it - 1] + g[it] + g[it + 1] }
+            val mean = DoubleArray(g.size) {
+                if (it == 0 ||
+                    it == g.size - 1
+                ) {
+                    Double.NaN
+                } else {
+                    g[it - 1] + g[it] + g[it + 1]
+                }
+            }
             val peak = (1 until g.size - 1).filter { pairs.centre(it) < PEAK * diameter }.maxBy { mean[it] }
             val least = (peak until g.size - 1).minBy { mean[it] }
             return Within(pairs.centre(least))

@@ -79,7 +79,13 @@ class FluidStructureTest {
         for ((value, all) in listOf(known to zeros, contact to touching)) {
             val mean = all.map { it.first }.average()
             val covered = all.count { abs(it.first - mean) <= it.second }
-            if (isFull) println("theory $value, mean $mean, error ${all.map { it.second }.average()}, covered $covered of $seeds")
+            if (isFull) {
+                println(
+                    "theory $value, mean $mean, error ${all.map {
+                        it.second
+                    }.average()}, covered $covered of $seeds",
+                )
+            }
             assertTrue(all.all { abs(it.first - value) < 4 * it.second }) { "$value: $all" }
         }
     }

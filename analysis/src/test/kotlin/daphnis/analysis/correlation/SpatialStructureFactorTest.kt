@@ -33,10 +33,20 @@ class SpatialStructureFactorTest {
         for (l in -20..20) {
             for (m in -20..20) {
                 for (n in -20..20) {
-                    val k = doubleArrayOf(l * 2 * PI / 5, m * 2 * PI / 6, if (state.boundary.hasImages(2)) n * 2 * PI / 7 else 0.0)
+                    val k = doubleArrayOf(
+                        l * 2 * PI / 5,
+                        m * 2 * PI / 6,
+                        if (state.boundary.hasImages(2)) {
+                            n * 2 * PI /
+                                7
+                        } else {
+                            0.0
+                        },
+                    )
                     if (!state.boundary.hasImages(2) && n != 0) continue
                     if (shear != null) {
-                        k[shear.normalAxis] -= k[shear.slideAxis] * shear.offset(state.time) / box.length(shear.normalAxis)
+                        k[shear.normalAxis] -=
+                            k[shear.slideAxis] * shear.offset(state.time) / box.length(shear.normalAxis)
                     }
                     val bin = (sqrt(k.sumOf { it * it }) / largest * bins).toInt()
                     if (l == 0 && m == 0 && n == 0 || bin >= bins) continue

@@ -18,14 +18,25 @@ class SelfScatteringTest {
     private val axes = List(3) { Coordinate.Position(it) }
 
     /** Walkers with Gaussian steps of [step] of particle k, along x, y and z or x and y. */
-    private fun walk(count: Int, times: Int, random: SeededRandom, dimensions: Int = 3, step: (Int) -> Double): Trajectories {
+    private fun walk(
+        count: Int,
+        times: Int,
+        random: SeededRandom,
+        dimensions: Int = 3,
+        step: (Int) -> Double,
+    ): Trajectories {
         val place = Array(3) { DoubleArray(count) }
         val one = DoubleArray(count) { 1.0 }
         val p = Population(place[0], place[1], place[2], one.copyOf(), one.copyOf(), one.copyOf(), one, one)
         return Trajectories(axes.take(dimensions), IntArray(count) { it }).also { all ->
             for (t in 0 until times) {
                 all.add(Snapshot.of(p, boundary, t.toLong(), t.toDouble()))
-                for (axis in 0 until dimensions) for (k in 0 until count) place[axis][k] += step(k) * random.nextGaussian()
+                for (axis in 0 until dimensions) {
+                    for (k in 0 until count) {
+                        place[axis][k] +=
+                            step(k) * random.nextGaussian()
+                    }
+                }
                 boundary.endStep(p, t + 1.0)
             }
         }
@@ -58,7 +69,19 @@ class SelfScatteringTest {
     fun `two kinds of walkers are not Gaussian, in space and in the plane`() {
         // A half with three times the step: ⟨x⁴⟩ = 3 (1 + 81)/2, ⟨x²⟩ = 5, so α₂ = 41/25 − 1.
         for (dimensions in 2..3) {
-            val found = SelfScattering(walk(4000, 32, SeededRandom(5), dimensions) { if (it % 2 == 0) 0.1 else 0.3 }, 2.0, 4000)
+            val found = SelfScattering(
+                walk(4000, 32, SeededRandom(5), dimensions) {
+                    if (it % 2 ==
+                        0
+                    ) {
+                        0.1
+                    } else {
+                        0.3
+                    }
+                },
+                2.0,
+                4000,
+            )
             assertEquals(0.64, found.nonGaussian[0], 0.02) { "$dimensions" }
         }
     }

@@ -32,11 +32,18 @@ class BondOrderTest {
         val x = List(3) { axis -> DoubleArray(all.size) { all[it][axis] } }
         val half = DoubleArray(all.size) { 0.5 }
         val box = Box.centred(cells * edges[0], cells * edges[1], cells * edges[2])
-        return State(Population(x[0], x[1], x[2], zero, zero.copyOf(), zero.copyOf(), half, half.copyOf()), Periodic(box), 0.0)
+        return State(
+            Population(x[0], x[1], x[2], zero, zero.copyOf(), zero.copyOf(), half, half.copyOf()),
+            Periodic(box),
+            0.0,
+        )
     }
 
     private fun fcc() = sqrt(2.0).let { a ->
-        crystal(listOf(a, a, a), listOf(listOf(0.0, 0.0, 0.0), listOf(0.5, 0.5, 0.0), listOf(0.5, 0.0, 0.5), listOf(0.0, 0.5, 0.5)))
+        crystal(
+            listOf(a, a, a),
+            listOf(listOf(0.0, 0.0, 0.0), listOf(0.5, 0.5, 0.0), listOf(0.5, 0.0, 0.5), listOf(0.0, 0.5, 0.5)),
+        )
     }
 
     private fun hcp() = crystal(
@@ -44,7 +51,9 @@ class BondOrderTest {
         listOf(listOf(0.0, 0.0, 0.0), listOf(0.5, 0.5, 0.0), listOf(0.0, 1.0 / 3, 0.5), listOf(0.5, 5.0 / 6, 0.5)),
     )
 
-    private fun bcc() = (2 / sqrt(3.0)).let { a -> crystal(listOf(a, a, a), listOf(listOf(0.0, 0.0, 0.0), listOf(0.5, 0.5, 0.5))) }
+    private fun bcc() = (2 / sqrt(3.0)).let { a ->
+        crystal(listOf(a, a, a), listOf(listOf(0.0, 0.0, 0.0), listOf(0.5, 0.5, 0.5)))
+    }
 
     @Test
     fun `crystals have the values of Steinhardt, Nelson and Ronchetti, by solid angle and by a distance`() {
@@ -105,7 +114,9 @@ class BondOrderTest {
             p.mass,
         )
         val plain = BondOrder(open, NeighbourLists.of(open, Neighbours.Within(1.1)))
-        val other = State(turned, BoundaryConditions.open(), 0.0).let { BondOrder(it, NeighbourLists.of(it, Neighbours.Within(1.1))) }
+        val other = State(turned, BoundaryConditions.open(), 0.0).let {
+            BondOrder(it, NeighbourLists.of(it, Neighbours.Within(1.1)))
+        }
         for (i in 0 until p.size) {
             assertEquals(plain.q4[i], other.q4[i], 1e-9)
             assertEquals(plain.w6[i], other.w6[i], 1e-9)
@@ -124,7 +135,14 @@ class BondOrderTest {
                 if (k > 0) assertTrue(length(k) >= length(k - 1))
                 val j = lists.neighbour(i, k)
                 val back = (0 until lists.count(j)).filter { lists.neighbour(j, it) == i }
-                assertTrue(back.any { b -> (0..2).all { abs(lists.component(j, b, it) + lists.component(i, k, it)) < 1e-12 } })
+                assertTrue(
+                    back.any { b ->
+                        (0..2).all {
+                            abs(lists.component(j, b, it) + lists.component(i, k, it)) <
+                                1e-12
+                        }
+                    },
+                )
             }
         }
         assertTrue(BondOrder(state, lists).q6[195].isNaN())
@@ -143,7 +161,12 @@ class BondOrderTest {
         val x = at { (it % n) + (if (it / n % 2 == 0) 0.0 else 0.5) - n / 2.0 + 0.1 }
         val y = at { (it / n + 0.5) * row - n * row / 2 }
         val half = at { 0.5 }
-        val state = State(Population(x, y, zero, zero.copyOf(), zero.copyOf(), zero.copyOf(), half, half.copyOf()), boundary, 0.0)
+        val state =
+            State(
+                Population(x, y, zero, zero.copyOf(), zero.copyOf(), zero.copyOf(), half, half.copyOf()),
+                boundary,
+                0.0,
+            )
         for (rule in listOf(Neighbours.SolidAngle, Neighbours.Within(1.3), Neighbours.toFirstMinimum(state))) {
             val order = HexaticOrder(state, NeighbourLists.of(state, rule))
             assertTrue(order.modulus.all { abs(it - 1) < 1e-9 }) { "$rule ${order.modulus.toList().take(5)}" }
@@ -154,12 +177,23 @@ class BondOrderTest {
         val none = DoubleArray(400)
         val one = DoubleArray(400) { 0.1 }
         val gas = State(
-            Population(anywhere(12.0), anywhere(12.0), none, none.copyOf(), none.copyOf(), none.copyOf(), one, one.copyOf()),
+            Population(
+                anywhere(12.0),
+                anywhere(12.0),
+                none,
+                none.copyOf(),
+                none.copyOf(),
+                none.copyOf(),
+                one,
+                one.copyOf(),
+            ),
             Periodic(Box.flat(12.0, 12.0)),
             0.0,
         )
         val order = HexaticOrder(gas, NeighbourLists.of(gas))
-        assertTrue(order.modulus.average() in 0.3..0.5 && order.ofAll < 0.15) { "${order.modulus.average()} ${order.ofAll}" }
+        assertTrue(order.modulus.average() in 0.3..0.5 && order.ofAll < 0.15) {
+            "${order.modulus.average()} ${order.ofAll}"
+        }
         assertThrows(IllegalArgumentException::class.java) { BondOrder(gas, NeighbourLists.of(gas)) }
     }
 }

@@ -19,11 +19,12 @@ import kotlin.math.sqrt
 class ClustersTest {
     private val box = Box.centred(10.0, 10.0, 10.0)
 
-    private fun at(vararg places: List<Double>, boundary: BoundaryConditions = Periodic(box), time: Double = 0.0) = State(
-        populationOf(*places.map { Sphere(it[0], it[1], it[2], 0.0, 0.0, 0.0, r = 0.5) }.toTypedArray()),
-        boundary,
-        time,
-    )
+    private fun at(vararg places: List<Double>, boundary: BoundaryConditions = Periodic(box), time: Double = 0.0) =
+        State(
+            populationOf(*places.map { Sphere(it[0], it[1], it[2], 0.0, 0.0, 0.0, r = 0.5) }.toTypedArray()),
+            boundary,
+            time,
+        )
 
     @Test
     fun `spheres are linked where the gap is small enough, and clusters are numbered from the largest down`() {
@@ -52,7 +53,16 @@ class ClustersTest {
             assertEquals(List(3) { it == axis }, whole.spans)
             assertEquals(List(3) { false }, Clusters.byGap(at(*row(9)), 0.01).spans)
         }
-        val square = listOf(0.0 to 0.0, 1.0 to 0.0, 2.0 to 0.0, 2.0 to 1.0, 2.0 to 2.0, 1.0 to 2.0, 0.0 to 2.0, 0.0 to 1.0)
+        val square = listOf(
+            0.0 to 0.0,
+            1.0 to 0.0,
+            2.0 to 0.0,
+            2.0 to 1.0,
+            2.0 to 2.0,
+            1.0 to 2.0,
+            0.0 to 2.0,
+            0.0 to 1.0,
+        )
         val ring = at(*square.map { (x, y) -> listOf(4.0 + x, 4.0 + y, 0.0) }.toTypedArray())
         val found = Clusters.byGap(ring, 0.01)
         assertEquals(listOf(8), found.sizes.toList())
@@ -90,7 +100,14 @@ class ClustersTest {
             }
             val sizes = label.take(290).groupingBy { it }.eachCount().values.sortedDescending()
             assertEquals(sizes, found.sizes.toList())
-            assertTrue((0 until 290).all { i -> (0 until i).all { (label[i] == label[it]) == (found.label[i] == found.label[it]) } })
+            assertTrue(
+                (0 until 290).all { i ->
+                    (0 until i).all {
+                        (label[i] == label[it]) ==
+                            (found.label[i] == found.label[it])
+                    }
+                },
+            )
             assertTrue(found.label.drop(290).all { it == -1 })
             assertEquals(290, found.particles)
         }

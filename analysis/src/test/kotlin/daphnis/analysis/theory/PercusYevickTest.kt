@@ -20,8 +20,10 @@ class PercusYevickTest {
     fun `it is the transform of the direct correlation function, on both sides of the switch`() {
         val filling = 0.4
         val void = (1 - filling).pow(4)
-        fun direct(r: Double) = -((1 + 2 * filling).pow(2) - 6 * filling * (1 + filling / 2).pow(2) * r +
-            filling / 2 * (1 + 2 * filling).pow(2) * r * r * r) / void
+        fun direct(r: Double) = -(
+            (1 + 2 * filling).pow(2) - 6 * filling * (1 + filling / 2).pow(2) * r +
+                filling / 2 * (1 + 2 * filling).pow(2) * r * r * r
+            ) / void
         for (x in listOf(0.3, 0.4999, 0.5001, 3.0, 7.0, 20.0)) {
             val steps = 20_000
             var sum = 0.0

@@ -20,9 +20,13 @@ internal class CoolingSection(private val study: Study) : Section {
     private val largest = ArrayList<Double>()
 
     override val heading = "Vortices and clusters"
-    override val over = "Spectra are of the last state, time ${study.time(last.time)}. Clusters are of the averaged states: " +
-        "${study.bodies} whose surfaces are up to ${UnitNames.amount(ReportText.short(gap), study.units.length)} apart, " +
-        "a tenth of the mean diameter."
+    override val over =
+        "Spectra are of the last state, time ${study.time(last.time)}. Clusters are of the averaged states: " +
+            "${study.bodies} whose surfaces are up to ${UnitNames.amount(
+                ReportText.short(gap),
+                study.units.length,
+            )} apart, " +
+            "a tenth of the mean diameter."
     override val applies = !study.isRing &&
         !study.isGrowing &&
         study.input.hasVelocities &&
@@ -103,7 +107,8 @@ internal class CoolingSection(private val study: Study) : Section {
     private fun clusters(page: ReportPage) {
         val found = Clusters.byGap(last, gap)
         val edges = generateSequence(1) { 2 * it }.takeWhile { it <= found.sizes[0] }.toList()
-        val number = DoubleArray(edges.size) { k -> found.sizes.count { it >= edges[k] && it < 2 * edges[k] }.toDouble() }
+        val number =
+            DoubleArray(edges.size) { k -> found.sizes.count { it >= edges[k] && it < 2 * edges[k] }.toDouble() }
         val share = DoubleArray(edges.size) { k ->
             found.sizes.filter { it >= edges[k] && it < 2 * edges[k] }.sum().toDouble() / found.particles
         }
@@ -125,8 +130,9 @@ internal class CoolingSection(private val study: Study) : Section {
                 "mean size of a cluster",
                 logY = Chart.isWide(sizes),
             )
-            val caption = "Size of the cluster of a particle, on average: Σ s²/Σ s. In the last state the largest has " +
-                "${ReportText.count(found.sizes[0], "particle")}. $spans goes on through the faces$along."
+            val caption =
+                "Size of the cluster of a particle, on average: Σ s²/Σ s. In the last state the largest has " +
+                    "${ReportText.count(found.sizes[0], "particle")}. $spans goes on through the faces$along."
             study.draw(page, figure, "clusters", "mean size of clusters over time", caption)
             val history = listOf(
                 Column("time", study.scale.timeName, x),
@@ -142,7 +148,8 @@ internal class CoolingSection(private val study: Study) : Section {
         const val FEWEST = 30
         const val BINS = 40
         const val MOST_WAVES = 20
-        const val SPECTRA = "Spectra of the last state: S_⊥ of vorticity, S_∥ of compression, each over what velocities " +
-            "without correlation have, and the structure factor S of the density."
+        const val SPECTRA =
+            "Spectra of the last state: S_⊥ of vorticity, S_∥ of compression, each over what velocities " +
+                "without correlation have, and the structure factor S of the density."
     }
 }

@@ -99,7 +99,8 @@ internal class MixturePart(private val study: Study, private val kinds: NamedGro
         const val MOST_OF_SPHERES = 0.45
         const val MOST_OF_DISCS = 0.5
         const val BOUND = 0.03
-        const val PAIRS = "Pairs of each two sizes at a distance, over those of particles without correlation; sizes are " +
-            "radii."
+        const val PAIRS =
+            "Pairs of each two sizes at a distance, over those of particles without correlation; sizes are " +
+                "radii."
     }
 }

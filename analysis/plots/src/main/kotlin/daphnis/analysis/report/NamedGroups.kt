@@ -18,11 +18,7 @@ import kotlin.math.abs
  * @property kind what tells them apart, at the end of the names of tables
  * @property names of the groups; null for those that have no particle
  */
-internal class NamedGroups private constructor(
-    val groups: SphereGroups,
-    val kind: String,
-    val names: List<String?>,
-) {
+internal class NamedGroups private constructor(val groups: SphereGroups, val kind: String, val names: List<String?>) {
     private val there = names.indices.filter { names[it] != null }
 
     /** Pairs of kinds that have particles, each once. */
@@ -57,7 +53,8 @@ internal class NamedGroups private constructor(
             val mean = DoubleArray(all.size) { all[it].mean }
             val error = DoubleArray(all.size) { study.judgement.error(all[it]) }
             curves += Curve(name(pair), x, mean)
-            columns += listOf(Column("${symbol}_${name(pair)}", "", mean), Column("${symbol}_${name(pair)}_error", "", error))
+            columns +=
+                listOf(Column("${symbol}_${name(pair)}", "", mean), Column("${symbol}_${name(pair)}_error", "", error))
         }
         if (curves.isEmpty()) return
         Table("$name-by-$kind", columns).write(study.tables)
@@ -80,7 +77,9 @@ internal class NamedGroups private constructor(
         private fun byMaterial(study: Study): NamedGroups? {
             val last = study.last
             val groups = MaterialGroups.of(last) ?: return null
-            val there = (0 until last.population.size).filter { last.isParticle(it) }.map { groups.of(last, it) }.toSet()
+            val there = (0 until last.population.size).filter {
+                last.isParticle(it)
+            }.map { groups.of(last, it) }.toSet()
             if (there.size !in 2..MOST) return null
             val names = last.population.materials.mapIndexed { k, name -> name.takeIf { k in there } }
             return NamedGroups(groups, "material", names)
@@ -95,7 +94,13 @@ internal class NamedGroups private constructor(
                     .map { last.population.radius[it] }
             }
             if (radii.any { r -> r.isEmpty() || r.any { abs(it / r[0] - 1) > SAME } }) return null
-            return NamedGroups(groups, "size", radii.map { BigDecimal(ReportText.plain(it[0], DIGITS)).stripTrailingZeros().toPlainString() })
+            return NamedGroups(
+                groups,
+                "size",
+                radii.map {
+                    BigDecimal(ReportText.plain(it[0], DIGITS)).stripTrailingZeros().toPlainString()
+                },
+            )
         }
     }
 }

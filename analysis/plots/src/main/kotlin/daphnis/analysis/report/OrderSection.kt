@@ -81,7 +81,15 @@ internal class OrderSection(private val study: Study) : Section {
     }
 
     override fun write(page: ReportPage) {
-        val names = if (isPlane) listOf("psi_6" to "|ψ₆|") else listOf("q6" to "q₆", "average_q4" to "q̄₄", "average_q6" to "q̄₆")
+        val names = if (isPlane) {
+            listOf("psi_6" to "|ψ₆|")
+        } else {
+            listOf(
+                "q6" to "q₆",
+                "average_q4" to "q̄₄",
+                "average_q6" to "q̄₆",
+            )
+        }
         val from = (if (isPlane) OF_DISCS else OF_SPHERES).size
         val x = DoubleArray(BINS) { (it + 0.5) * reach() / BINS }
         val columns = arrayListOf(Column(if (isPlane) "psi" else "q", "", x))
@@ -95,7 +103,13 @@ internal class OrderSection(private val study: Study) : Section {
         Table("bond-order", columns).write(study.tables)
         val figure = Chart.lines(curves, if (isPlane) "six-fold order |ψ₆|" else "bond order", "density")
         val caption = if (isPlane) DISCS else SPHERES
-        study.draw(page, figure, "bond-order", "distribution of the order of neighbours", "$caption ${study.judgement.bars()}")
+        study.draw(
+            page,
+            figure,
+            "bond-order",
+            "distribution of the order of neighbours",
+            "$caption ${study.judgement.bars()}",
+        )
     }
 
     private companion object {
@@ -106,9 +120,10 @@ internal class OrderSection(private val study: Study) : Section {
         const val BINS = 50
         const val REACH = 0.65
         const val SOLID = "of seven neighbours or more with q₆·q₆ above 0.7"
-        const val SPHERES = "Bond order of spheres, and averaged over each with its neighbours (Lechner & Dellago 2008). A " +
-            "face-centred cubic crystal has q₄ = 0.191 and q₆ = 0.575, a hexagonal one 0.097 and 0.485, a body-centred " +
-            "cubic one 0.036 and 0.511."
+        const val SPHERES =
+            "Bond order of spheres, and averaged over each with its neighbours (Lechner & Dellago 2008). A " +
+                "face-centred cubic crystal has q₄ = 0.191 and q₆ = 0.575, a hexagonal one 0.097 and 0.485, a body-centred " +
+                "cubic one 0.036 and 0.511."
         const val DISCS = "Six-fold order of discs: 1 in a hexagonal lattice."
         val OF_SPHERES = listOf(
             "bond_order_q4" to "bond order q₄",

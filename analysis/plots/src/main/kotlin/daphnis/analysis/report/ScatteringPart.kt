@@ -23,7 +23,11 @@ internal class ScatteringPart(private val study: Study, private val trajectories
         val factor = SpatialStructureFactor(PEAKS * 2 * Math.PI / diameter, BINS)
         val s = factor.of(study.last)
         val from = BINS * 3 / 8
-        factor.centre((from until BINS - 1).maxBy { (s[it - 1] + s[it] + s[it + 1]).let { v -> if (v.isNaN()) 0.0 else v } })
+        factor.centre(
+            (from until BINS - 1).maxBy {
+                (s[it - 1] + s[it] + s[it + 1]).let { v -> if (v.isNaN()) 0.0 else v }
+            },
+        )
     }
 
     fun write(page: ReportPage) {
@@ -37,7 +41,13 @@ internal class ScatteringPart(private val study: Study, private val trajectories
         val k = UnitNames.amount(ReportText.short(waveNumber), units.waveNumber)
         study.draw(
             page,
-            Chart.lines(listOf(scattering), axis, "self-intermediate scattering F_s(k, t)", logX = true, horizontal = 0.0),
+            Chart.lines(
+                listOf(scattering),
+                axis,
+                "self-intermediate scattering F_s(k, t)",
+                logX = true,
+                horizontal = 0.0,
+            ),
             "self-scattering",
             "self-intermediate scattering function",
             "Self-intermediate scattering function at k = $k, near the peak of S(k).$falls $bars",

@@ -58,7 +58,14 @@ internal class Sections(private val study: Study, list: List<(Study) -> Section>
     companion object {
         /** Those that have numbers: all that it takes where nothing is written. */
         val WITH_NUMBERS: List<(Study) -> Section> =
-            listOf(::WaveSection, ::FluidNumbers, ::MaterialSection, ::MoonletSection, ::DiffusionSection, ::OrderSection)
+            listOf(
+                ::WaveSection,
+                ::FluidNumbers,
+                ::MaterialSection,
+                ::MoonletSection,
+                ::DiffusionSection,
+                ::OrderSection,
+            )
 
         /** Those that have numbers in tables of their own, too. */
         val WITH_OWN_NUMBERS: List<(Study) -> Section> = WITH_NUMBERS + ::StructureSection

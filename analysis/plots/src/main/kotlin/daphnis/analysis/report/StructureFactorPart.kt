@@ -45,7 +45,10 @@ internal class StructureFactorPart(private val study: Study, private val groups:
         val known = if (theory == null) "" else " $BESIDE"
         curve.write(study, page, x, averages, caption + mark + known, critical, theory)
         val s = spatial ?: return
-        groups?.write(study, page, "structure-factor", x, averages, "S", "wave number |k|" to unit, "k", PARTIAL) { a, b ->
+        groups?.write(study, page, "structure-factor", x, averages, "S", "wave number |k|" to unit, "k", PARTIAL) {
+                a,
+                b,
+            ->
             s.first(a, b)
         }
     }

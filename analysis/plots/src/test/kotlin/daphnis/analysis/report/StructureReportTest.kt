@@ -115,7 +115,12 @@ class StructureReportTest {
         assertTrue("Vortices and clusters" in page && "L_c is" in page)
         val clusters = rows(path, "clusters")
         assertEquals(1.0, clusters.drop(1).sumOf { it[2].toDouble() }, 1e-9)
-        assertEquals(listOf("k [1/", "S_transverse"), rows(path, "velocity-spectra")[0].let { listOf(it[0].take(5), it[1]) })
+        assertEquals(
+            listOf("k [1/", "S_transverse"),
+            rows(path, "velocity-spectra")[0].let {
+                listOf(it[0].take(5), it[1])
+            },
+        )
         assertTrue(rows(path, "cluster-history").size > 2)
     }
 
