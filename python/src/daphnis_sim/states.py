@@ -159,6 +159,39 @@ class State:
             }
         return table
 
+    def to_freud(self) -> tuple[Any, Any]:
+        """``(box, points)`` for `freud <https://freud.readthedocs.io>`_, which computes order and structure.
+
+        The box is a ``freud.box.Box`` with its lean and its periodic axes, two-dimensional for discs; points are of
+        32 bits, shape (n, 3), in the order of ids. Along an open axis the box is as long as the spheres reach. It needs
+        ``pip install freud-analysis``.
+
+        Raises:
+            InputError: images have slid along y, as in Hill's frame: a box of freud leans along x only.
+        """
+        from .adapters import to_freud
+
+        return to_freud(self)
+
+    def to_ase(self) -> Any:
+        """``ase.Atoms`` with positions, velocities, masses, cell and periodic axes, in the order of ids.
+
+        Atoms are of the element X with arrays ``radius`` and ``id``, and ``info["time"]``. All numbers are in the units
+        of the scenario: nothing is converted to Å and ASE's units. It needs ``pip install ase``.
+        """
+        from .adapters import to_ase
+
+        return to_ase(self)
+
+    def to_ovito(self) -> Any:
+        """An ``ovito.data.DataCollection`` with particles and cell, for OVITO's modifiers and pictures.
+
+        Particles are in the order of ids, with their radii, velocities and masses. It needs ``pip install ovito``.
+        """
+        from .adapters import to_ovito
+
+        return to_ovito(self)
+
     def plot(self, ax: Axes | None = None, *, view: str = "top", color: Any = None, **keywords: Any) -> Axes:
         """Draws the spheres to scale with matplotlib.
 

@@ -36,6 +36,7 @@ internal class PhysicsRows(private val setup: ScenarioSetup, private val say: Qu
         growth()
         motion()
         collisions()
+        criticalLength(setup, say)?.let { rows.add("critical length", it) }
         rows.add("seed", "${scenario.seed}")
     }
 

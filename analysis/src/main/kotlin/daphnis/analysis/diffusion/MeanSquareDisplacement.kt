@@ -2,7 +2,6 @@ package daphnis.analysis.diffusion
 
 import daphnis.analysis.statistics.BlockAverage
 import kotlin.math.abs
-import kotlin.math.sqrt
 
 /**
  * A coefficient of self-diffusion, and the lags over which it was fitted.
@@ -62,7 +61,7 @@ public class MeanSquareDisplacement(trajectories: Trajectories) {
 
     /** One standard error of [mean]; NaN at lags that are too long for the time. */
     public fun error(coordinate: Int): DoubleArray =
-        DoubleArray(lag.size) { l -> overTime(square[coordinate][l], l + 1) }
+        DoubleArray(lag.size) { l -> OverOrigins.error(square[coordinate][l], l + 1) }
 
     /**
      * D of the mean over [coordinates]: half the slope, each lag weighted by 1/lag², from where the displacement has
@@ -82,7 +81,7 @@ public class MeanSquareDisplacement(trajectories: Trajectories) {
         val last = last(first)
         if (last >= lag.size || last - first + 1 < FEWEST_LAGS) return null
         val slopes = slopes(mean, first, last).also { for (k in it.indices) it[k] /= 2.0 }
-        return Diffusion(slopes.average(), overTime(slopes, last + 1), lag[first], lag[last])
+        return Diffusion(slopes.average(), OverOrigins.error(slopes, last + 1), lag[first], lag[last])
     }
 
     /** The last lag of a fit that begins with lag [first]. */
@@ -104,7 +103,8 @@ public class MeanSquareDisplacement(trajectories: Trajectories) {
             val early = rise(mean, t, 2 * t)
             val slope = late.average()
             val difference = DoubleArray(late.size) { late[it] - early[it] }
-            val allowed = maxOf(SAME_SLOPE * slope, minOf(2 * scatter(difference, 4 * t), MOST_NOISE * slope))
+            val allowed =
+                maxOf(SAME_SLOPE * slope, minOf(2 * OverOrigins.scatter(difference, 4 * t), MOST_NOISE * slope))
             if (slope > 0 && abs(difference.average()) <= allowed) return 2 * t - 1
             t++
         }
@@ -126,30 +126,6 @@ public class MeanSquareDisplacement(trajectories: Trajectories) {
         }
     }
 
-    /** One standard error of the average of [series], each number of which is over the time of [length] places. */
-    private fun overTime(series: DoubleArray, length: Int): Double {
-        val windows = series.size / length
-        return when {
-            windows < FEWEST_WINDOWS -> Double.NaN
-            // Too few to measure how they are correlated: only what they have in common by overlapping is known.
-            windows < FEWEST_MEASURED -> scatter(series, length) * sqrt(OVERLAP)
-            else -> BlockAverage.of(blocks(series, windows)).error
-        }
-    }
-
-    /** A rough error of the average of [series], also where there are few blocks of [length] places. */
-    private fun scatter(series: DoubleArray, length: Int): Double {
-        val blocks = blocks(series, (series.size / length).coerceIn(FEWEST_BLOCKS, series.size))
-        val mean = blocks.average()
-        return sqrt(blocks.sumOf { (it - mean) * (it - mean) } / (blocks.size - 1.0) / blocks.size)
-    }
-
-    private fun blocks(series: DoubleArray, count: Int) = DoubleArray(count) { b ->
-        val begin = (series.size.toLong() * b / count).toInt()
-        val end = (series.size.toLong() * (b + 1) / count).toInt()
-        (begin until end).sumOf { series[it] } / (end - begin)
-    }
-
     public companion object {
         /** Least number of times: the slope is compared at four lags. */
         public const val FEWEST_TIMES: Int = 16
@@ -157,13 +133,6 @@ public class MeanSquareDisplacement(trajectories: Trajectories) {
         /** Lags in the time below which no error is given; Student's t of five numbers is within ±1 in 63 %. */
         public const val FEWEST_WINDOWS: Int = 5
 
-        /**
-         * Squares of a random walk over the times of neighbouring windows have the correlation 1/6: ∫u(1 − u)² over
-         * ∫(1 − u)³, twice.
-         */
-        private const val OVERLAP = 4.0 / 3
-        private const val FEWEST_MEASURED = 32
-        private const val FEWEST_BLOCKS = 4
         private const val LAG_PART = 2
         private const val FEWEST_LAGS = 3
         private const val LAGS_IN_TIME = 16

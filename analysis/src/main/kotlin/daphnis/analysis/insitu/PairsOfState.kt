@@ -40,3 +40,23 @@ private fun flat(p: Population): Population = if (p.size == 0) {
 } else {
     Population(p.x, p.y, DoubleArray(p.size) { p.z[0] }, p.vx, p.vy, p.vz, p.radius, p.mass, p.id)
 }
+
+/**
+ * Calls [action] with the vector from the first to the second of each pair of particles of [state] that are up to
+ * [reach] apart, and of some that are farther apart; of discs in their plane.
+ */
+internal inline fun forEachVector(
+    state: State,
+    reach: Double,
+    action: (first: Int, second: Int, dx: Double, dy: Double, dz: Double) -> Unit,
+) {
+    val pairs = NearPairs(state.population, state.boundary, state.time, structure = SearchStructure.GRID)
+    val runs = pairs.runs()
+    val bodies = state.firstBody != Int.MAX_VALUE
+    for (slot in 0 until state.population.size) {
+        if (bodies && !state.isParticle(pairs.index(slot))) continue
+        pairs.forEach(runs, slot, reach) { i, j, dx, dy, dz ->
+            if (!bodies || state.isParticle(j)) action(i, j, dx, dy, dz)
+        }
+    }
+}

@@ -24,7 +24,7 @@ internal class AveragedCurve(
 ) {
     /**
      * Draws number k of [averages] over [x], entry k, with a dashed line upright at [mark], if any, and writes both as
-     * a table.
+     * a table. A curve of [theory] over the same x stands beside it.
      */
     fun write(
         study: Study,
@@ -33,6 +33,7 @@ internal class AveragedCurve(
         averages: Averages,
         caption: String,
         mark: Double? = null,
+        theory: Curve? = null,
     ) {
         val all = x.indices.map { averages.average(it) }
         val y = DoubleArray(x.size) { all[it].mean }
@@ -41,10 +42,10 @@ internal class AveragedCurve(
         val axis = UnitNames.axis(argument, unit)
         // Beside a peak such as that of a whole patch nothing else would be seen.
         val log = Chart.hasPeak(y.asList())
-        val curve = listOf(Curve(label, x, y, error))
+        val curve = listOfNotNull(Curve(label, x, y, error), theory)
         val figure = Chart.lines(curve, axis, label, logY = log, horizontal = 1.0, vertical = mark)
         study.draw(page, figure, name, words, "$caption ${study.judgement.bars()}")
         val columns = listOf(Column(short, unit, x), Column(symbol, "", y), Column("${symbol}_error", "", error))
-        Table(name, columns).write(study.tables)
+        Table(name, columns + listOfNotNull(theory?.let { Column("${symbol}_theory", "", it.y) })).write(study.tables)
     }
 }

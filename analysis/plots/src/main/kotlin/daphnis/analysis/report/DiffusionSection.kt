@@ -138,6 +138,9 @@ internal class DiffusionSection(private val study: Study) : Section {
             listOf(Column("msd_${it.name}", unit, it.y), Column("msd_${it.name}_error", unit, it.error!!))
         }
         Table("mean-square-displacement", listOf(Column("lag", time, lag)) + columns).write(study.tables)
+        if (omega == null && coordinates.size == study.last.dimensions) {
+            trajectories?.let { ScatteringPart(study, it).write(page) }
+        }
     }
 
     private fun caption(d: MeanSquareDisplacement): String {

@@ -22,6 +22,9 @@ internal interface Section : Part {
     /** Whether it is about runs of this kind; when it is not, the report is silent about it. */
     val applies: Boolean get() = true
 
+    /** Whether it has a place on the page, and not only rows in the table of numbers. */
+    val isWritten: Boolean get() = true
+
     /** Why it would mean nothing here, as the end of a sentence; null when it means something. Asked at the end. */
     val leftOut: String? get() = null
 

@@ -40,7 +40,7 @@ internal class Sections(private val study: Study, list: List<(Study) -> Section>
     /** Writes all onto [page]; [next] is told the heading of each before. */
     fun write(page: ReportPage, next: (String) -> Unit = {}) {
         val missing = ArrayList<String>()
-        for (section in all) {
+        for (section in all.filter { it.isWritten }) {
             val why = section.leftOut
             if (why != null) {
                 missing += "${section.heading}: $why."
@@ -58,7 +58,14 @@ internal class Sections(private val study: Study, list: List<(Study) -> Section>
     companion object {
         /** Those that have numbers: all that it takes where nothing is written. */
         val WITH_NUMBERS: List<(Study) -> Section> =
-            listOf(::WaveSection, ::MaterialSection, ::MoonletSection, ::DiffusionSection)
+            listOf(
+                ::WaveSection,
+                ::FluidNumbers,
+                ::MaterialSection,
+                ::MoonletSection,
+                ::DiffusionSection,
+                ::OrderSection,
+            )
 
         /** Those that have numbers in tables of their own, too. */
         val WITH_OWN_NUMBERS: List<(Study) -> Section> = WITH_NUMBERS + ::StructureSection
@@ -75,8 +82,11 @@ internal class Sections(private val study: Study, list: List<(Study) -> Section>
             ::MaterialSection,
             ::MoonletSection,
             ::DiffusionSection,
+            ::FluidNumbers,
             ::FlowSection,
             ::StructureSection,
+            ::OrderSection,
+            ::CoolingSection,
             ::OccultationSection,
             ::ImpactsSection,
             ::RunSection,

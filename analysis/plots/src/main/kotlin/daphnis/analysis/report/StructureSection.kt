@@ -8,10 +8,16 @@ import daphnis.analysis.insitu.State
  */
 internal class StructureSection(private val study: Study) : Section {
     private val surface = SurfacePart(study)
+    private val kinds = if (study.isThin) null else NamedGroups.of(study)
     private val parts = if (study.isThin) {
-        listOf(LinePart(study), StructureFactorPart(study))
+        listOf(LinePart(study), StructureFactorPart(study, null))
     } else {
-        listOf(PairPart(study), StructureFactorPart(study), surface)
+        listOfNotNull(
+            PairPart(study),
+            StructureFactorPart(study, kinds),
+            kinds?.let { MixturePart(study, it) },
+            surface,
+        )
     }
 
     override val heading = "Structure"

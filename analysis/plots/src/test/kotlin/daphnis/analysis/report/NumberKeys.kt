@@ -78,12 +78,23 @@ internal object NumberKeys {
         "moonlet_walk",
     )
 
+    private val FLUID = listOf("structure_factor_zero", "contact_value")
+    private val ORDER = listOf(
+        "bond_order_q4",
+        "bond_order_q6",
+        "bond_order_average_q6",
+        "bond_order_w6",
+        "solid_like_share",
+        "largest_solid_share",
+        "hexatic_order_local",
+        "hexatic_order",
+    )
     private const val DISCS = "area_fraction"
     private const val WALLS = "wall_work_over_dissipation"
     private val single = listOf(INFINITE, GUIDING_CENTRES, DISCS, WALLS, HELFAND)
 
     private val all =
-        (RING + ROUGH_GAS + SELF_GRAVITY + SHEARED + MOONLET + DIFFUSION + WAVES + single).toSet()
+        (RING + ROUGH_GAS + SELF_GRAVITY + SHEARED + MOONLET + DIFFUSION + WAVES + FLUID + ORDER + single).toSet()
 
     /** Keys in the first column of the guide's table of numbers. */
     private fun documented(): List<String> {

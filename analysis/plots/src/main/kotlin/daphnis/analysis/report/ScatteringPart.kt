@@ -1,0 +1,78 @@
+package daphnis.analysis.report
+
+import daphnis.analysis.correlation.SpatialStructureFactor
+import daphnis.analysis.diffusion.SelfScattering
+import daphnis.analysis.diffusion.Trajectories
+import daphnis.analysis.plot.Chart
+import daphnis.analysis.plot.Curve
+import daphnis.analysis.table.Column
+import daphnis.analysis.table.Table
+import daphnis.analysis.table.UnitNames
+
+/** F_s(k, t) at the peak of S(k), and α₂(t), of particles that are free along all axes of a box at rest. */
+internal class ScatteringPart(private val study: Study, private val trajectories: Trajectories) {
+    private val units = study.units
+    private val diameter = 2 * study.bulk.meanRadius
+
+    /**
+     * Where S(k) of the last state is highest, over three bins, near one wave in a diameter; just that wave for a gas
+     * too dilute to have a peak.
+     */
+    private val waveNumber: Double by lazy {
+        if (study.bulk.fillingFactor < LEAST_FILLED) return@lazy 2 * Math.PI / diameter
+        val factor = SpatialStructureFactor(PEAKS * 2 * Math.PI / diameter, BINS)
+        val s = factor.of(study.last)
+        val from = BINS * 3 / 8
+        factor.centre(
+            (from until BINS - 1).maxBy {
+                (s[it - 1] + s[it] + s[it + 1]).let { v -> if (v.isNaN()) 0.0 else v }
+            },
+        )
+    }
+
+    fun write(page: ReportPage) {
+        val found = SelfScattering(trajectories, waveNumber)
+        val unit = study.scale.timeName
+        val axis = UnitNames.axis("lag", unit)
+        val bars = study.judgement.bars("Bars are one standard error.")
+        val time = found.relaxationTime()
+        val falls = if (time.isNaN()) "" else " It falls to 1/e in ${UnitNames.amount(ReportText.short(time), unit)}."
+        val scattering = Curve("F_s", found.lag, found.scattering, study.judgement.errors(found.scatteringError))
+        val k = UnitNames.amount(ReportText.short(waveNumber), units.waveNumber)
+        study.draw(
+            page,
+            Chart.lines(
+                listOf(scattering),
+                axis,
+                "self-intermediate scattering F_s(k, t)",
+                logX = true,
+                horizontal = 0.0,
+            ),
+            "self-scattering",
+            "self-intermediate scattering function",
+            "Self-intermediate scattering function at k = $k, near the peak of S(k).$falls $bars",
+        )
+        val parameter = Curve("α₂", found.lag, found.nonGaussian, study.judgement.errors(found.nonGaussianError))
+        study.draw(
+            page,
+            Chart.lines(listOf(parameter), axis, "non-Gaussian parameter α₂(t)", logX = true, horizontal = 0.0),
+            "non-gaussian",
+            "non-Gaussian parameter",
+            "Non-Gaussian parameter of the same displacements; 0 where they are Gaussian. $bars",
+        )
+        val columns = listOf(
+            Column("lag", unit, found.lag),
+            Column("F_s", "", scattering.y),
+            Column("F_s_error", "", scattering.error!!),
+            Column("alpha_2", "", parameter.y),
+            Column("alpha_2_error", "", parameter.error!!),
+        )
+        Table("self-scattering", columns).write(study.tables)
+    }
+
+    private companion object {
+        const val LEAST_FILLED = 0.1
+        const val PEAKS = 1.6
+        const val BINS = 64
+    }
+}
