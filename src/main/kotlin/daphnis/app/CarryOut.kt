@@ -39,7 +39,7 @@ internal fun CliktCommand.carryOut(quiet: Boolean, live: LivePage? = null, start
             val directory = run.directory.path
             if (!quiet) {
                 val from = if (run.resumedFrom > 0) "from step ${run.resumedFrom}, " else originOf(run)
-                val count = spheres(run.simulation.population.size)
+                val count = run.simulation.let { spheres(it.population.size, it.boundary.space) }
                 val times = timesOf(run)
                 val isOver = run.simulation.time >= run.until
                 val now = if (isOver) "already at the end, " else ""

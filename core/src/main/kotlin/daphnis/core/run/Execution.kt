@@ -2,6 +2,7 @@ package daphnis.core.run
 
 import daphnis.core.Opening
 import daphnis.core.OutputState
+import daphnis.core.boundary.pistons
 import daphnis.core.cluster.FleetException
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.compression.GrowingSpheres
@@ -129,6 +130,7 @@ internal class Execution(
             wallSeconds,
             losses = from?.losses.orEmpty(),
             reducedPressure = (simulation.boundary as? GrowingSpheres)?.reducedPressure?.takeIf { it.isFinite() },
+            pistons = simulation.boundary.pistons.mapValues { (_, it) -> listOf(it.position, it.speed) },
         )
         val population = simulation.population
         files.writer.state(SpheresById.bytes(population), { SpheresById(population) }) { spheres ->

@@ -3,6 +3,7 @@ package daphnis.core.run
 import daphnis.core.Output
 import daphnis.core.Simulation
 import daphnis.core.boundary.hasDrivenWalls
+import daphnis.core.boundary.pistons
 import daphnis.core.cluster.FleetEngines
 import daphnis.core.compression.GrowingSpheres
 import daphnis.core.engine.EngineFactory
@@ -45,6 +46,7 @@ internal class RunPlan(
         if (ModesOutput.times(output).isNever) null else ModeSums(output.modes, simulation.boundary, sums.firstBody),
         simulation.boundary.hasDrivenWalls,
         simulation.boundary is GrowingSpheres,
+        simulation.boundary.pistons.keys,
     )
 
     /** Whether the run ends before [until], with the present state. */
@@ -92,6 +94,7 @@ internal fun planOf(
     val simulation = closingIfItThrows(nodes?.fleet ?: engine) {
         val forcing = setup.collisions(engine, records)
         meta?.countInto(forcing.counters)
+        meta?.putPistons(setup.boundary)
         meta?.reducedPressure?.let { (setup.boundary as? GrowingSpheres)?.reducedPressure = it }
         val time = meta?.time ?: scenario.startTime
         val step = meta?.step ?: 0

@@ -17,6 +17,7 @@ import daphnis.core.wave.ModeSums
  *
  * @property areWallsDriven whether any wall moves or is thermal
  * @property haveGrowth whether spheres grow
+ * @property pistons faces of the walls that are pistons
  */
 internal class StepSums(
     private val sums: PopulationSums,
@@ -25,6 +26,7 @@ internal class StepSums(
     private val modes: ModeSums? = null,
     val areWallsDriven: Boolean = false,
     val haveGrowth: Boolean = false,
+    val pistons: Set<Int> = emptySet(),
 ) {
     /** Names of the materials that there are sums of. */
     val materials: List<String> get() = byMaterial?.materials.orEmpty()

@@ -121,7 +121,8 @@ internal class InitialState(
         check.that("placement.vacancies", spec.vacancies, spec.vacancies >= 0 && spec.vacancies < 1) {
             "must be a share of the sites, at least 0 and less than 1"
         }
-        val lattice = spec.lattice.lattice
+        val densest = if (box.space.isPlane) LatticeName.HEXAGONAL else LatticeName.FCC
+        val lattice = (spec.lattice ?: densest).lattice
         check.must("placement.lattice", lattice.isPlane == box.space.isPlane) {
             if (lattice.isPlane) {
                 "is of discs, which need dimensions 2"

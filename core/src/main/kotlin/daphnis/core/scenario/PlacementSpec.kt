@@ -21,14 +21,14 @@ public sealed interface PlacementSpec {
     public class Grown : PlacementSpec
 
     /**
-     * @property lattice `fcc`, `hcp`, `bcc` or `cubic`, of discs `hexagonal` or `square`
+     * @property lattice `fcc`, `hcp`, `bcc` or `cubic`, of discs `hexagonal` or `square`; null for the first of them
      * @property vacancies share of the sites that stay empty, in [0, 1)
      */
     @OptIn(ExperimentalSerializationApi::class)
     @Serializable
     @SerialName("lattice")
     public class Lattice @JvmOverloads constructor(
-        public val lattice: LatticeName = LatticeName.FCC,
+        @EncodeDefault(EncodeDefault.Mode.NEVER) public val lattice: LatticeName? = null,
         @EncodeDefault(EncodeDefault.Mode.NEVER) public val vacancies: Double = 0.0,
     ) : PlacementSpec
 
