@@ -10,6 +10,7 @@ import daphnis.app.describe.spheres
 import daphnis.app.live.LivePage
 import daphnis.app.printing.printLine
 import daphnis.app.printing.warn
+import daphnis.app.progress.PlacementLine
 import daphnis.app.progress.Progress
 import daphnis.app.progress.TimesInWords
 import daphnis.core.population.Population
@@ -34,7 +35,7 @@ internal fun CliktCommand.carryOut(quiet: Boolean, live: LivePage? = null, start
     val interruption = Interruption()
     preparePlot()
     try {
-        start().use { run ->
+        PlacementLine.shown(quiet, start).use { run ->
             for (notice in run.notices) warn(notice)
             val directory = run.directory.path
             if (!quiet) {

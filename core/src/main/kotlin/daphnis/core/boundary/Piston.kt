@@ -1,14 +1,16 @@
 package daphnis.core.boundary
 
+import kotlin.math.abs
+
 /**
  * A wall with a mass, which a constant force and the impacts of spheres move along its normal.
  *
  * Its motion depends on all impacts, which engines find in any order. So within a step it moves as it would without them,
  * with the acceleration force/mass, and a sphere of mass m that meets it with the relative speed u gets the impulse (1 +
  * ε) u m M/(m + M), as from a free body of mass M; at the end of the step the piston takes up the exact sum of these
- * impulses. Momentum is conserved to round-off. What is lost or gained of the energy in a step comes from pairs of impacts
- * in it alone: its drift is of first order in the step. So a step should change the speed of the piston by little, and
- * its mass should be large for that of a sphere; see docs/physics.md.
+ * impulses. Momentum is conserved to round-off. The energy changes by J₁J₂/M for each pair of impulses in a step, and by as
+ * much less for the force: on average by nothing, so that it wanders with the root of step times time. A step should
+ * change the speed of the piston by little, and its mass be large for that of a sphere; see docs/physics.md.
  *
  * [position] and [speed] are state of the simulation whose boundary this belongs to: one simulation, which moves it at
  * the end of each step, by the thread that calls it. Its checkpoints hold them.
@@ -46,7 +48,7 @@ public class Piston @JvmOverloads constructor(
     public val energy: Double get() = 0.5 * mass * speed * speed - force * position
 
     override val amplitude: Double get() = Double.POSITIVE_INFINITY
-    override val strongest: Double = kotlin.math.abs(acceleration)
+    override val strongest: Double = abs(acceleration)
 
     /** The displacement at the end of the last step, whatever the time. */
     override fun phase(time: Double): Double = position
@@ -58,18 +60,6 @@ public class Piston @JvmOverloads constructor(
     override fun leastAcceleration(piece: Long): Double = acceleration
 
     override fun mostAcceleration(piece: Long): Double = acceleration
-
-    override fun lowest(phase: Double, duration: Double): Double =
-        minOf(phase, displacement(phase, duration), turning(phase, duration))
-
-    override fun highest(phase: Double, duration: Double): Double =
-        maxOf(phase, displacement(phase, duration), turning(phase, duration))
-
-    /** Where it turns around, if it does before [duration]. */
-    private fun turning(phase: Double, duration: Double): Double {
-        val t = -speed / acceleration
-        return if (t > 0 && t < duration) displacement(phase, t) else phase
-    }
 
     /**
      * The coefficient of restitution of a wall of infinite mass which gives a sphere of mass [m] the impulse that this

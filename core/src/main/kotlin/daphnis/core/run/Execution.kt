@@ -97,13 +97,18 @@ internal class Execution(
         }
     }
 
-    /** Spheres that grow and collide without end are jammed, and the state is still that before the step. */
+    /**
+     * Spheres that grow and collide without end, or fail otherwise at a high pressure, are jammed, and the state is still
+     * that before the step.
+     */
     private fun reason(e: Exception): String {
+        val said = e.message ?: e.javaClass.name
         val growth = simulation.boundary as? GrowingSpheres
-        if (growth == null || e !is CollapseException) return e.message ?: e.javaClass.name
+        val pressure = growth?.reducedPressure ?: Double.NaN
+        if (growth == null || e !is CollapseException && !(pressure > JAMMED)) return said
         val filling = growth.fillingFactor(simulation.population)
-        return "jammed at a filling factor of $filling, where they collide without end; end the run before, " +
-            "with growth.untilFillingFactor or growth.untilPressure"
+        return "jammed at a filling factor of $filling and a reduced pressure of $pressure ($said); end the run " +
+            "before, with growth.untilFillingFactor or growth.untilPressure"
     }
 
     private fun keepStateBefore(e: Throwable) {
@@ -154,6 +159,9 @@ internal class Execution(
         }
     }
 }
+
+/** Reduced pressure at which growing spheres are jammed when a step fails. */
+private const val JAMMED = 100.0
 
 /** What a run throws for [e], which names no step. */
 internal fun failed(e: RuntimeException, step: Long) = RunException("step $step: ${e.message}", e)

@@ -15,12 +15,15 @@ internal class Drawn(val radii: DoubleArray, val kinds: IntArray)
  *
  * Of several [kinds] each has its share of the number to within one sphere. Their spheres are in an order that is drawn
  * too, so that they are mixed on a lattice and in the order of ids.
+ *
+ * @param areProportions whether spheres will have other radii in these proportions, which need not fit
  */
 internal class DrawnRadii(
     private val spec: ParticlesSpec,
     private val kinds: List<SphereKind>,
     private val box: Box,
     private val check: ValueCheck,
+    private val areProportions: Boolean,
     private val stream: () -> SeededRandom,
 ) {
     private val space = box.space
@@ -180,6 +183,7 @@ internal class DrawnRadii(
     }
 
     private fun checkFilling(key: String, value: Number, volume: Double, bound: String = "") {
+        if (areProportions) return
         val filling = volume / box.volume
         val name = if (space.isPlane) "an area fraction" else "a filling factor"
         check.that(key, value, filling < space.closestPacking) {

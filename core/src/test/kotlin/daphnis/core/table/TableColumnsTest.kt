@@ -23,17 +23,19 @@ class TableColumnsTest {
 
     @Test
     fun `the files of a run have the declared columns and as many numbers in every row`() {
-        // Rough spheres between walls of which one moves have all columns that there are, but for those of spheres that
-        // grow, which are smooth.
+        // Rough spheres between walls of which one moves and one is a piston have all columns that there are, but for
+        // those of spheres that grow, which are smooth, and of other pistons.
         val ofGrowth = setOf(SeriesColumns.FILLING_FACTOR, SeriesColumns.REDUCED_PRESSURE)
+        val ofOthers = SeriesColumns.PISTON_POSITION.dropLast(1) + SeriesColumns.PISTON_SPEED.dropLast(1)
         val body = "bodies=[{\"radius\": 0.6, \"position\": [0, 0, 0]}]"
         val floor = """"lowerZ": { "motion": { "type": "sine", "amplitude": 0.1, "frequency": 1 } }"""
-        val walls = """boundary={ "type": "walls", "axes": "z", "faces": { $floor } }"""
+        val roof = """"upperZ": { "motion": { "type": "piston", "mass": 1e6 } }"""
+        val walls = """boundary={ "type": "walls", "axes": "z", "faces": { $floor, $roof } }"""
         val scenario = tableScenario("roughness={\"type\": \"smooth\"}", body, walls, "velocities.shearProfile=false")
         Run.start(scenario, "test", home.resolve("run")).use { it.execute() }
         for (table in tables) {
             val lines = Files.readAllLines(home.resolve("run").resolve(table.file)).map { it.split(',') }
-            val columns = table.columns - ofGrowth
+            val columns = table.columns - ofGrowth - ofOthers.toSet()
             assertEquals(columns.map { it.name }, lines[0].map { UnitsOfDimensions.nameIn(it) })
             assertTrue(lines.size > 2) { table.file }
             for (line in lines.drop(1)) {

@@ -43,8 +43,8 @@ class DrivenWallsReportTest {
     }
 
     @Test
-    fun `the volume under a piston is that between the walls, with its error`(@TempDir home: Path) {
-        val piston = """{ "type": "piston", "mass": 40, "force": -5, "position": 1 }"""
+    fun `the volume under a piston is that between the walls`(@TempDir home: Path) {
+        val piston = """{ "type": "piston", "mass": 20, "force": -5, "position": 1 }"""
         val scenario = ScenarioJson.parse(
             """{
               "box": { "lengths": [10, 5, 5] },
@@ -52,7 +52,7 @@ class DrivenWallsReportTest {
               "particles": { "count": 60, "sizes": { "type": "equal", "radius": 0.1 }, "mass": 1 },
               "velocities": { "type": "gaussian", "sigma": 1, "exact": true },
               "restitution": { "type": "constant", "coefficient": 1 },
-              "timeStep": { "type": "fixed", "dt": 0.1 }, "until": 400,
+              "timeStep": { "type": "fixed", "dt": 0.1 }, "until": 1500,
               "output": { "seriesEvery": 5, "transportEvery": 5 }
             }""",
             "test",
@@ -65,6 +65,5 @@ class DrivenWallsReportTest {
         // F L = N kT and some more for the radii.
         val expected = 60 * numbers.getValue("granular_temperature")[1].toDouble() / 5 * 25 + 2 * 0.1 * 25
         assertEquals(1.0, volume[1].toDouble() / expected, 0.06) { "$volume of $expected" }
-        assertTrue(volume[2].toDouble() in 0.1..20.0) { "$volume" }
     }
 }
