@@ -10,6 +10,7 @@ import daphnis.app.describe.spheres
 import daphnis.app.live.LivePage
 import daphnis.app.printing.printLine
 import daphnis.app.printing.warn
+import daphnis.app.progress.PlacementLine
 import daphnis.app.progress.Progress
 import daphnis.app.progress.TimesInWords
 import daphnis.core.population.Population
@@ -34,12 +35,12 @@ internal fun CliktCommand.carryOut(quiet: Boolean, live: LivePage? = null, start
     val interruption = Interruption()
     preparePlot()
     try {
-        start().use { run ->
+        PlacementLine.shown(quiet, start).use { run ->
             for (notice in run.notices) warn(notice)
             val directory = run.directory.path
             if (!quiet) {
                 val from = if (run.resumedFrom > 0) "from step ${run.resumedFrom}, " else originOf(run)
-                val count = spheres(run.simulation.population.size)
+                val count = run.simulation.let { spheres(it.population.size, it.boundary.space) }
                 val times = timesOf(run)
                 val isOver = run.simulation.time >= run.until
                 val now = if (isOver) "already at the end, " else ""

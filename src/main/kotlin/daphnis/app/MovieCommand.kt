@@ -71,6 +71,16 @@ class MovieCommand : CliktCommand(name = "movie") {
                 "is ${colour.word}; it must be another: the spheres of $directory have none",
             )
         }
+        if (input.state(input.size - 1).dimensions == 2) {
+            val (option, value) = when {
+                view == MovieView.SIDE -> "--view" to view.word
+                colour == MovieColour.HEIGHT -> "--colour" to colour.word
+                else -> null to ""
+            }
+            if (option != null) {
+                throw InputException(option, null, "is $value; it must be another: $directory is of discs in a plane")
+            }
+        }
         for (notice in input.notices) warn(notice)
         val rate = fps ?: MovieOptions.rateFor(input.size)
         val file = target ?: path.resolve("plots").resolve("movie.gif")

@@ -308,4 +308,20 @@ class DescribeTest {
         )
         for ((value, text) in cases) assertEquals(text, Quantities.number(value))
     }
+
+    @Test
+    fun `discs are called so, and have no cells along z`() {
+        val text = describe("hard-discs")
+        assertTrue("per disc" in row(text, "memory") && "disc" in row(text, "particles")) { text }
+        for (label in listOf("cells", "reach in a step")) {
+            assertEquals(if (label == "cells") 2 else 1, row(text, label).split(" x ").size - 1) { text }
+        }
+        assertFalse("sphere" in row(text, "steps"))
+    }
+
+    @Test
+    fun `collisions of what becomes denser are at least those of the start`() {
+        assertTrue("at least about" in row(describe("vibrated-bed"), "run time"))
+        assertFalse("at least" in row(describe("cooling-gas"), "run time"))
+    }
 }

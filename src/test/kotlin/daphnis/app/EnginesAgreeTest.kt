@@ -1,8 +1,13 @@
 package daphnis.app
 
 import daphnis.core.Repository.read
+import daphnis.core.Simulation
+import daphnis.core.boundary.Piston
 import daphnis.core.engine.EnginesAgreeContract
 import daphnis.core.engine.TestedEngines
+import daphnis.core.population.stateDigest
+import daphnis.core.scenario.ScenarioJson
+import daphnis.core.scenario.ScenarioSetup
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
@@ -19,5 +24,30 @@ class EnginesAgreeTest : EnginesAgreeContract(TestedEngines(allEngines), draws =
             val missing = allEngines.names.filter { "`$it`" !in read(page) }
             assertTrue(missing.isEmpty()) { "$page does not name $missing" }
         }
+    }
+
+    @Test
+    fun `pistons move alike with every engine`() {
+        val text = """{
+            "box": { "lengths": [9, 9, 9] },
+            "boundary": { "type": "walls", "axes": "x", "faces": {
+              "lowerX": { "motion": { "type": "piston", "mass": 60, "force": 9, "velocity": 0.1 } },
+              "upperX": { "motion": { "type": "piston", "mass": 45, "force": -8, "position": 0.5 } } } },
+            "particles": { "count": 500, "sizes": { "type": "equal", "radius": 0.3 }, "mass": 1 },
+            "velocities": { "type": "gaussian", "sigma": 1 },
+            "restitution": { "type": "constant", "coefficient": 0.9 },
+            "timeStep": { "type": "fixed", "dt": 0.05 }, "until": 5
+        }"""
+        fun bits(name: String): List<Any> {
+            val setup = ScenarioSetup.of(ScenarioJson.parse(text, "test", emptyList()), "test")
+            val forcing = setup.collisions(allEngines.create(name, 2)!!)
+            Simulation(setup.population, setup.boundary, forcing, setup.timeStep).use { simulation ->
+                repeat(60) { simulation.advance() }
+                val pistons = listOf(0, 1).map { setup.boundary.wallMotion(it) as Piston }
+                return listOf(stateDigest(simulation.population)) + pistons.flatMap { listOf(it.position, it.speed) }
+            }
+        }
+        val expected = bits("serial")
+        for (name in allEngines.names) assertEquals(expected, bits(name)) { name }
     }
 }

@@ -106,4 +106,15 @@ class MovieCommandTest {
         assertRefused(movie(run, "--width", "300"), "0000000002.h5")
         assertEquals(listOf("run.png", "run.svg"), Path.of(run, "plots").toFile().list()!!.sorted())
     }
+
+    @Test
+    fun `discs have no side and no height, and are told so`() {
+        val small = arrayOf("--set", "particles.count=20", "--set", "box.lengths=[12,12]")
+        val said = assertDone(daphnis("run", "hard-discs", "--until", "0.5", *small, "--out", "${folder.resolve("d")}"))
+        assertTrue("20 discs, " in said) { said }
+        val run = "${folder.resolve("d")}"
+        assertTrue("--view: is side; it must be another: $run is of discs" in movie(run, "--view", "side").err)
+        assertTrue("--colour: is height; it must be another" in movie(run, "--colour", "height").err)
+        assertDone(movie(run, "--width", "240"))
+    }
 }

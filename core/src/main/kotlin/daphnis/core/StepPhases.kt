@@ -3,6 +3,7 @@ package daphnis.core
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.PerSphereBoundary
 import daphnis.core.boundary.keepsFinite
+import daphnis.core.collision.Pistons
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.engine.EndsFinite
 import daphnis.core.force.Drift
@@ -38,6 +39,9 @@ public class StepPhases(
         if (drift == null) collisions?.acceleration = uniformAcceleration(forces)
     }
 
+    /** Null where no wall is a piston. */
+    private val pistons = Pistons.of(boundary, collisions?.record, population)
+
     private val undo = StepUndo(population, collisions?.counters)
 
     /** Whether the state at the end of the step is known to be finite. */
@@ -52,6 +56,7 @@ public class StepPhases(
         isKnownFinite = false
         hasDriftedFinite = false
         undo.begin()
+        pistons?.begin()
     }
 
     /** The length of a step that starts now. */
@@ -98,8 +103,9 @@ public class StepPhases(
         }
     }
 
-    /** Forces act for the second half of a step that ended at [end], in the reverse order. */
+    /** Pistons take up their impacts, and forces act for the second half of a step that ended at [end], in the reverse order. */
     public fun kickAgain(end: Double, duration: Double) {
+        pistons?.move(duration, end)
         for (k in forces.indices.reversed()) forces[k].afterDrift(population, end, duration)
     }
 
@@ -120,6 +126,7 @@ public class StepPhases(
      */
     public fun takeBack() {
         undo.takeBack()
+        pistons?.takeBack()
         collisions?.record?.clear()
     }
 }

@@ -1,5 +1,6 @@
 package daphnis.app.describe
 
+import daphnis.core.boundary.ContactFaces
 import daphnis.core.initial.fillingFactor
 import daphnis.core.population.granularTemperature
 import daphnis.core.scenario.ForceSpec
@@ -17,8 +18,13 @@ import kotlin.math.sqrt
  *
  * @property least per sphere and unit of time
  * @property most likewise
+ * @property isOnlyLeast whether there are more than at the start, by a factor that is not known
  */
-internal class CollisionRate private constructor(val least: Double, val most: Double) {
+internal class CollisionRate private constructor(
+    val least: Double,
+    val most: Double,
+    val isOnlyLeast: Boolean = false,
+) {
     companion object {
         private const val PER_ORBIT = 18.0
 
@@ -41,7 +47,21 @@ internal class CollisionRate private constructor(val least: Double, val most: Do
             val more = if (clumps) IN_WAKES else correlation(FILLING * crossings)
             val rate = PER_ORBIT * crossings * orbits.omega / (2 * PI)
             CollisionRate(rate, rate * more)
-        } ?: enskog(setup).let { if (it.isFinite()) CollisionRate(it, it) else CollisionRate(0.0, 0.0) }
+        }
+            ?: enskog(setup).let {
+                if (it.isFinite()) CollisionRate(it, it, becomesDenser(setup)) else CollisionRate(0.0, 0.0)
+            }
+
+        private fun becomesDenser(setup: ScenarioSetup): Boolean {
+            val growth = setup.scenario.growth
+            if (growth != null && growth.rate > 0) return true
+            return setup.scenario.forces.any { force ->
+                force is ForceSpec.UniformAcceleration &&
+                    (0 until setup.boundary.space.dimensions).any {
+                        force.acceleration[it] != 0.0 && setup.boundary.contactFaces(it) == ContactFaces.WALL
+                    }
+            }
+        }
 
         private fun enskog(setup: ScenarioSetup): Double {
             val radii = setup.population.radius

@@ -31,13 +31,15 @@ internal class CostRows(private val setup: ScenarioSetup, private val say: Quant
         else -> (scenario.end - scenario.startTime) / dt
     }
 
+    private val space = setup.boundary.space
+    private val one = one(space)
     private val course = Course(steps, scenario.startTime, scenario.end)
 
     fun write() {
         outputs()
         val spin = if (setup.population.hasSpin) BYTES_PER_SPIN else 0.0
         val each = ScenarioSetup.BYTES_PER_SPHERE + spin + meshBytes()
-        rows.add("memory", "${bytes(size * each)} of the heap of Java, ${bytes(each)} per sphere")
+        rows.add("memory", "${bytes(size * each)} of the heap of Java, ${bytes(each)} per $one")
         time()
         val count = when {
             exact -> ""
@@ -62,9 +64,16 @@ internal class CostRows(private val setup: ScenarioSetup, private val say: Quant
         val each = if (setup.frequencies == null) GAS_COLLISION_SECONDS else RING_COLLISION_SECONDS
         val half = size * (scenario.end - scenario.startTime) / 2
         val (least, most) = took(still + half * rate.least * each) to took(still + half * rate.most * each)
-        val seconds = if (least == most) least else "$least to ${most.removePrefix("about ")}"
+        val bound = if (rate.isOnlyLeast) "at least " else ""
+        val seconds = if (least == most) bound + least else "$least to ${most.removePrefix("about ")}"
         val counts = listOf(half * rate.least, half * rate.most).map { number(it) }.distinct().joinToString(" to ")
-        val why = if (setup.frequencies == null) "with the $counts collisions of the start" else "$counts collisions"
+        val why = if (setup.frequencies ==
+            null
+        ) {
+            "with ${if (rate.isOnlyLeast) "at least $counts collisions, $counts" else "the $counts"} collisions of the start"
+        } else {
+            "$counts collisions"
+        }
         rows.add("run time", "$seconds on one core, roughly; $why")
     }
 
@@ -84,7 +93,7 @@ internal class CostRows(private val setup: ScenarioSetup, private val say: Quant
         val speed = step.measure(setup.population, InlineLoop)
         val flow = if (step.flow == null) "" else " relative to the flow"
         val limit = "moves at most ${say.length(step.path)} in a step$flow"
-        val fastest = "the fastest sphere, at ${say.speed(speed)} along an axis"
+        val fastest = "the fastest $one, at ${say.speed(speed)} along an axis"
         rows.add("steps", "chosen, since no force acts: $fastest, $limit")
         rows.add("steps", "so many while that speed stays; fewer where the gas cools, more where it heats up")
         if (step.stops.intervals.isNotEmpty()) {
@@ -146,15 +155,16 @@ internal class CostRows(private val setup: ScenarioSetup, private val say: Quant
     }
 
     private fun search() {
+        val axes = 0 until space.dimensions
         val reach = Reach().apply { measure(setup.population, setup.boundary, dt) }
-        rows.add("reach in a step", reach.bound.joinToString(" x ") { say.length(it) })
+        rows.add("reach in a step", axes.joinToString(" x ") { say.length(reach.bound[it]) })
         val grid = Grid().apply {
             build(setup.population, setup.boundary, scenario.startTime, dt, reach.bound, structure = scenario.search)
         }
         for (size in 0 until grid.classes) {
             val radii = if (grid.classes > 1) ", for radii up to ${say.length(grid.largestRadius(size))}" else ""
-            val cells = (0..2).joinToString(" x ") { "${grid.cellsAlong(it, size)}" }
-            val widths = (0..2).joinToString(" x ") { say.length(grid.cellWidth(it, size)) }
+            val cells = axes.joinToString(" x ") { "${grid.cellsAlong(it, size)}" }
+            val widths = axes.joinToString(" x ") { say.length(grid.cellWidth(it, size)) }
             rows.add("cells", "$cells, each $widths$radii")
         }
     }

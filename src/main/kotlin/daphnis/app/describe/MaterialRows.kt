@@ -11,7 +11,7 @@ internal class MaterialRows(private val setup: ScenarioSetup, private val say: Q
         population.materials.forEachIndexed { number, name ->
             val its = population.radius.indices.filter { population.material[it].toInt() == number }
             if (its.isEmpty()) {
-                rows.add("materials", "$name: no sphere")
+                rows.add("materials", "$name: no ${one(setup.boundary.space)}")
                 return@forEachIndexed
             }
             val radii = its.map { population.radius[it] }

@@ -4,9 +4,11 @@ import daphnis.app.describe.Quantities.Companion.number
 import daphnis.core.scenario.RestitutionSpec
 import daphnis.core.space.Space
 
-/** `1 sphere`, `2 spheres`. */
-internal fun spheres(count: Int, space: Space = Space.VOLUME): String =
-    counted(count.toLong(), if (space.isPlane) "disc" else "sphere")
+/** What is simulated in [space], in the singular. */
+internal fun one(space: Space): String = if (space.isPlane) "disc" else "sphere"
+
+/** `1 sphere`, `2 spheres`; discs in a plane. */
+internal fun spheres(count: Int, space: Space = Space.VOLUME): String = counted(count.toLong(), one(space))
 
 /** `1 step`, `2 steps`. */
 internal fun counted(number: Long, what: String): String = if (number == 1L) "1 $what" else "$number ${what}s"

@@ -201,10 +201,17 @@ internal fun BoundaryConditions.roomAt(time: Double): Box {
     return Box(face(0), face(2), face(4), face(1), face(3), face(5), space)
 }
 
-/** The least distance of the walls across [axis] in the time [from] until [to], or less. */
+/**
+ * The least distance of the walls across [axis] in the time [from] until [to], or less. Where a piston will be is not
+ * known: then it is the distance at [from].
+ */
 internal fun BoundaryConditions.leastRoom(axis: Int, from: Double, to: Double): Double {
     val lower = wallMotion(2 * axis)
     val upper = wallMotion(2 * axis + 1)
+    if (lower is Piston || upper is Piston) {
+        val apart = box.upper(axis) - box.lower(axis)
+        return apart + (upper?.displacement(from) ?: 0.0) - (lower?.displacement(from) ?: 0.0)
+    }
     val shrinks = if (lower != null && upper != null) togetherAtLeast(lower, upper, from, to) else null
     if (shrinks != null) return box.upper(axis) - box.lower(axis) + shrinks
     val rises = lower?.let { it.highest(it.phase(from), to - from) } ?: 0.0

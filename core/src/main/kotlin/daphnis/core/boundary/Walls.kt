@@ -46,6 +46,9 @@ public class Walls @JvmOverloads constructor(
             require(faces[face]?.temperature == null || wallRoughness(face) == null) {
                 "the wall at face $face is thermal; it cannot be rough"
             }
+            require(faces[face]?.motion !is Piston || wallRoughness(face) == null) {
+                "the wall at face $face is a piston; it cannot be rough"
+            }
         }
     }
 

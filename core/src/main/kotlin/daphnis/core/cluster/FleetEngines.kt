@@ -1,6 +1,7 @@
 package daphnis.core.cluster
 
 import daphnis.core.RemoteSteps
+import daphnis.core.boundary.hasPistons
 import daphnis.core.compression.GrowingSpheres
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.CollisionForcing
@@ -10,6 +11,7 @@ import daphnis.core.force.RadialGravity
 import daphnis.core.population.Population
 import daphnis.core.scenario.InputException
 import daphnis.core.scenario.ScenarioSetup
+import daphnis.core.scenario.WallFacesSpec
 import java.time.Duration
 import java.util.function.Consumer
 
@@ -46,7 +48,7 @@ public class FleetEngines internal constructor(
     /**
      * The steps of the run of [setup], from [state] at [time] after [step].
      *
-     * @throws InputException for a force that needs all spheres in one place, and for spheres that grow
+     * @throws InputException for a force that needs all spheres in one place, for spheres that grow, and for a piston
      */
     internal fun steps(
         setup: ScenarioSetup,
@@ -56,6 +58,13 @@ public class FleetEngines internal constructor(
         time: Double,
         step: Long,
     ): RemoteSteps {
+        if (setup.boundary.hasPistons) {
+            throw InputException(
+                source,
+                WallFacesSpec.KEY,
+                "has a piston, which nodes do not move yet; run it on one machine",
+            )
+        }
         if (setup.boundary is GrowingSpheres) {
             throw InputException(source, "growth", "is not computed by nodes yet; run it on one machine")
         }

@@ -3,6 +3,7 @@ package daphnis.core.collision
 import daphnis.core.api.EngineApi
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.ContactFaces
+import daphnis.core.boundary.Piston
 import daphnis.core.collision.StepRows.Companion.RADIUS
 import daphnis.core.collision.StepRows.Companion.STRIDE
 import daphnis.core.collision.StepRows.Companion.TIME
@@ -26,6 +27,7 @@ public class WallContact {
     private val moving = arrayOfNulls<MovingFace>(FACES)
     private val thermal = arrayOfNulls<ThermalWall>(FACES)
     private var surfaces = emptyArray<SurfaceWall>()
+    private val pistons = arrayOfNulls<Piston>(FACES)
     private val acceleration = DoubleArray(3)
     private var duration = 0.0
     private var boundary: BoundaryConditions? = null
@@ -75,6 +77,7 @@ public class WallContact {
             thermal[face] =
                 boundary.wallTemperature(face)?.let { ThermalWall(face, it, boundary.space, boundary.wallSeed) }
             val motion = boundary.wallMotion(face)
+            pistons[face] = motion as? Piston
             val rests = acceleration[axis] == 0.0 && motion == null
             moving[face] = if (rests || !walled[axis]) null else MovingFace(face and 1 == 0, motion, acceleration[axis])
             areDriven = areDriven || walled[axis] && (motion != null || thermal[face] != null)
@@ -160,14 +163,15 @@ public class WallContact {
         outcome.impactSpeed = maxOf(speed, 0.0)
         // Else the wall has turned around at this very moment.
         if (speed < 0.0) return
-        val coefficient = if (wall == null) restitution[face] else guarded(rows, slot, face, speed, time)
+        val own = if (wall == null) restitution[face] else guarded(rows, slot, face, speed, time)
+        val coefficient = pistons[face]?.coefficient(own, rows.mass[slot]) ?: own
         val leaving = alongWall(rows, slot, face, speed, coefficient, time, outcome)
         rows.state[v] = if (wall == null) {
             inward * leaving + 0.0
         } else if (thermal[face] != null) {
             wall.leaving(wall.apart(leaving, time), time)
         } else {
-            wall.leaving(wall.rebound(leaving, coefficient, rows.state[slot * STRIDE + RADIUS], time), time)
+            wall.leaving(wall.rebound(leaving, own, rows.state[slot * STRIDE + RADIUS], time), time)
         }
     }
 

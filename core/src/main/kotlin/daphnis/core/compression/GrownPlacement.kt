@@ -1,20 +1,15 @@
 package daphnis.core.compression
 
-import daphnis.core.Simulation
-import daphnis.core.TimeStep
 import daphnis.core.boundary.Box
-import daphnis.core.collision.ConstantRestitution
-import daphnis.core.engine.CollisionForcing
 import daphnis.core.engine.horizon.HorizonEngine
-import daphnis.core.initial.GaussianVelocities
 import daphnis.core.initial.Placement
 import daphnis.core.initial.PlacementException
+import daphnis.core.initial.PlacementProgress
 import daphnis.core.initial.Positions
 import daphnis.core.initial.RandomPlacement
 import daphnis.core.initial.SeededRandom
 import daphnis.core.initial.fillingFactor
-import daphnis.core.population.Population
-import daphnis.core.step.CollapseException
+import java.util.Locale
 import kotlin.math.sqrt
 
 /**
@@ -27,9 +22,14 @@ import kotlin.math.sqrt
  *
  * The same bits for any number of threads. Equal spheres jam at about 0.64, and discs crystallize.
  *
+ * Who watches ([PlacementProgress]) is told how far they have grown.
+ *
  * @param threads threads to compute on, the caller's included
  */
-public class GrownPlacement @JvmOverloads constructor(private val threads: Int = 1) : Placement {
+public class GrownPlacement internal constructor(private val threads: Int, private val mostWork: Int) : Placement {
+    @JvmOverloads
+    public constructor(threads: Int = 1) : this(threads, MOST_WORK)
+
     /** @throws PlacementException also for walls, and when spheres jam before they have their radii, or cannot have them */
     override fun place(radii: DoubleArray, box: Box, walled: BooleanArray, random: SeededRandom): Positions {
         check(radii, box, walled)
@@ -40,19 +40,84 @@ public class GrownPlacement @JvmOverloads constructor(private val threads: Int =
         return if (part == 1.0) start else grown(start, radii, part, box, random)
     }
 
+    /**
+     * Places spheres with these [radii] times one factor at which the reduced pressure P V/(N kT) is [pressure] as they
+     * grow, on average over the last five collisions of each. From four fifths of it on they grow by a five-hundredth in
+     * the time in which one flies a mean diameter: up to the freezing of equal spheres, the pressure is that of
+     * equilibrium within some percent.
+     *
+     * @throws PlacementException also when there are fewer than two, and when they jam or touch their own images before
+     */
+    public fun placeAtPressure(
+        pressure: Double,
+        radii: DoubleArray,
+        box: Box,
+        walled: BooleanArray,
+        random: SeededRandom,
+    ): GrownSpheres {
+        require(pressure > 1 && pressure < GrowingGas.JAMMED) {
+            "the reduced pressure is $pressure; it must be > 1 and < ${GrowingGas.JAMMED}"
+        }
+        requireRepeats(box, walled)
+        if (radii.size < 2) throw PlacementException("${radii.size} have no pressure; it takes two")
+        val loose = looseFor(pressure, radii, box)
+        // Whatever the radii are, times are those of spheres that fill a half.
+        val half = scale(HALF / fillingFactor(radii, box), box)
+        val wide = DoubleArray(radii.size) { radii[it] * half }
+        val start = RandomPlacement(threads = threads)
+            .place(DoubleArray(radii.size) { radii[it] * loose }, box, walled, random)
+        val gas = GrowingGas.of(start, wide, loose / half, box, random)
+        return HorizonEngine(threads).use { engine ->
+            val factor = loose * growTo(pressure, gas, box, engine)
+            GrownSpheres(gas.places(), factor / ROOM)
+        }
+    }
+
+    private fun growTo(pressure: Double, gas: GrowingGas, box: Box, engine: HorizonEngine): Double {
+        val n = gas.spheres.size
+        val few = minOf(1.0, n / FEW)
+        val window = PressureWindow(WINDOW * n / few)
+        var factor = 1.0
+        while (!(window.isFull && window.mean >= pressure)) {
+            val isNear = window.isFull && window.mean > NEAR * pressure
+            val filling = fillingFactor(gas.spheres.radius, box)
+            val above = if (window.isFull) window.mean - 1 else 2 * filling
+            val fast = STAGES.firstOrNull { filling < it.filling(box) }?.rate ?: SLOWEST
+            val rate = few * if (isNear) SLOWEST else minOf(fast, PER_WINDOW * above)
+            val end = if (isNear) pressure else NEAR * pressure
+            var last = 0L
+            factor *=
+                gas.grow(engine, 1 + PIECE, rate, mostWork, "the reduced pressure $pressure") { growing, all, growth ->
+                    window.add(growing.reducedPressure, growth, all - last)
+                    last = all
+                    PlacementProgress.tell(Double.NaN) {
+                        line("%s %.4g, reduced pressure %.4g of %.4g", growing, gas, window.mean, pressure)
+                    }
+                    window.isFull && window.mean >= end
+                }
+        }
+        return factor
+    }
+
+    /** The factor of [radii] from which growth to [pressure] begins: well below it. */
+    internal fun looseFor(pressure: Double, radii: DoubleArray, box: Box): Double =
+        scale(minOf(LOOSE, (pressure - 1) * PER_PRESSURE) / fillingFactor(radii, box), box)
+
     /** All in the middle, which costs nothing; checks what can be known without growth. */
     internal fun middle(radii: DoubleArray, box: Box, walled: BooleanArray): Positions {
         check(radii, box, walled)
-        return Positions(DoubleArray(radii.size), DoubleArray(radii.size), DoubleArray(radii.size))
+        return middle(radii.size)
+    }
+
+    internal fun middle(count: Int): Positions = Positions(DoubleArray(count), DoubleArray(count), DoubleArray(count))
+
+    private fun requireRepeats(box: Box, walled: BooleanArray) {
+        if ((0 until box.space.dimensions).none { walled[it] }) return
+        throw PlacementException("spheres grow in a box that repeats along all axes only")
     }
 
     private fun check(radii: DoubleArray, box: Box, walled: BooleanArray) {
-        if ((0 until box.space.dimensions).any {
-                walled[it]
-            }
-        ) {
-            throw PlacementException("spheres grow in a box that repeats along all axes only")
-        }
+        requireRepeats(box, walled)
         if (radii.isEmpty()) return
         val largest = radii.max()
         for (axis in 0 until box.space.dimensions) {
@@ -82,79 +147,39 @@ public class GrownPlacement @JvmOverloads constructor(private val threads: Int =
      * @throws PlacementException when they jam before
      */
     internal fun grown(start: Positions, radii: DoubleArray, part: Double, box: Box, random: SeededRandom): Positions {
-        val n = radii.size
-        val field = GaussianVelocities(2 * radii.average())
-        val v = Array(3) { DoubleArray(n) }
-        val drawn = DoubleArray(3)
-        for (k in 0 until n) {
-            field.draw(random, drawn)
-            for (axis in 0 until box.space.dimensions) v[axis][k] = drawn[axis]
-        }
-        val small = DoubleArray(n) { radii[it] * part }
-        val spheres = Population(
-            start.x.copyOf(),
-            start.y.copyOf(),
-            start.z.copyOf(),
-            v[0],
-            v[1],
-            v[2],
-            small,
-            DoubleArray(n) { 1.0 },
-        )
+        val gas = GrowingGas.of(start, radii, part, box, random)
         val full = fillingFactor(radii, box)
+        val goals = STAGES.map { if (full <= it.filling(box)) ROOM else scale(it.filling(box) / full, box) } + ROOM
+        val rates = STAGES.map { it.rate } + SLOWEST
+        // In units of time, of which there are more the slower spheres grow.
+        val all = goals.indices.map { k ->
+            val from = if (k == 0) part else maxOf(part, goals[k - 1])
+            maxOf(0.0, goals[k] / from - 1) / rates[k]
+        }
         HorizonEngine(threads).use { engine ->
             var now = part
-            for (stage in STAGES) {
+            for ((k, goal) in goals.withIndex()) {
                 // A hair more than asked for, so that none overlap with the radii that are.
-                val goal = if (full <= stage.filling(box)) ROOM else scale(stage.filling(box) / full, box)
                 if (goal <= now) continue
-                grow(spheres, box, engine, goal / now, stage.rate, full)
+                val before = all.take(k).sum()
+                var grown = 1.0
+                gas.grow(engine, goal / now, rates[k], mostWork, "$full") { growing, _, growth ->
+                    grown += growth
+                    PlacementProgress.tell((before + (grown - 1) / rates[k]) / all.sum()) {
+                        line("%s %.4g of %.4g", growing, gas, full)
+                    }
+                    false
+                }
                 now = goal
-                if (goal == ROOM) break
             }
-            if (now < ROOM) grow(spheres, box, engine, ROOM / now, SLOWEST, full)
         }
-        val at = spheres.indicesById()
-        fun places(axis: Int) = DoubleArray(n) { spheres.position(axis)[at[it]] }
-        return Positions(places(0), places(1), places(2))
+        return gas.places()
     }
 
-    /** Until radii are [factor] times what they are. */
-    private fun grow(
-        spheres: Population,
-        box: Box,
-        engine: HorizonEngine,
-        factor: Double,
-        rate: Double,
-        full: Double,
-    ) {
-        val boundary = GrowingSpheres(box, rate)
-        var dt = minOf(LONGEST, MOST_GROWTH / rate)
-        val forcing = CollisionForcing(ConstantRestitution(1.0), engine = engine)
-        val end = (factor - 1) / rate
-        val simulation = Simulation(spheres, boundary, forcing, TimeStep { dt })
-        while (true) {
-            val rest = end - simulation.time
-            if (rest <= end * LAST) return
-            dt = minOf(dt, rest)
-            try {
-                simulation.advance()
-            } catch (e: CollapseException) {
-                jam(boundary.fillingFactor(spheres), full, e)
-            } catch (e: IllegalArgumentException) {
-                jam(boundary.fillingFactor(spheres), full, e)
-            }
-            val pressure = boundary.reducedPressure
-            val work = forcing.counters.collisions / maxOf(1, spheres.size)
-            if (pressure > JAMMED || work > MOST_WORK) jam(boundary.fillingFactor(spheres), full, null)
-            dt = minOf(LONGEST, MOST_GROWTH / rate)
-            if (pressure > 1) dt = minOf(dt, MOST_HEATING / (rate * pressure))
-        }
+    private fun line(format: String, growing: GrowingSpheres, gas: GrowingGas, vararg numbers: Any): String {
+        val what = if (growing.space.isPlane) "discs grow: area fraction" else "spheres grow: filling factor"
+        return String.format(Locale.ROOT, format, what, growing.fillingFactor(gas.spheres), *numbers)
     }
-
-    private fun jam(filling: Double, full: Double, cause: Exception?): Nothing = throw PlacementException(
-        "growing spheres jam at a filling factor of $filling, before $full",
-    ).also { if (cause != null) it.initCause(cause) }
 
     /** Up to [filling] radii grow by [rate] of what they are per unit of time. */
     private class Stage(private val filling: Double, val rate: Double) {
@@ -171,25 +196,41 @@ public class GrownPlacement @JvmOverloads constructor(private val threads: Int =
         val STAGES = listOf(Stage(0.45, 0.5), Stage(0.55, 0.1), Stage(0.6, 0.02))
         const val SLOWEST = 0.002
 
-        /** Of a step: units of time, growth, and growth of the energy. */
-        const val LONGEST = 0.1
-        const val MOST_GROWTH = 0.02
-        const val MOST_HEATING = 0.2
-
-        /** Reduced pressure at which spheres are jammed for all that matters here. */
-        const val JAMMED = 1e4
-
-        /** Collisions per sphere in a stage; with pressures that diverge as 3/(1 − φ/φ_J) up to [JAMMED] it has some 5,000. */
+        /** Collisions per sphere in a stage; pressures that diverge as 3/(1 − φ/φ_J) take some 5,000 to [GrowingGas.JAMMED]. */
         const val MOST_WORK = 50_000
 
         /** Filling factors above which equal ones do not come. */
         const val MOST_SPHERES = 0.65
         const val MOST_DISCS = 0.9
 
+        /** Of the start of growth to a pressure: filling factor over Z − 1, which is below that of every gas. */
+        const val PER_PRESSURE = 0.1
+        const val HALF = 0.5
+
+        /** Collisions of each sphere that a pressure is the mean of; fewer spheres than [FEW] need more, and time for them. */
+        const val WINDOW = 5.0
+        const val FEW = 500.0
+
+        /** Part of the pressure from which growth is slow. */
+        const val NEAR = 0.8
+
+        /** Growth over Z − 1 with which radii grow by a hundredth while a sphere has [WINDOW] collisions. */
+        const val PER_WINDOW = 0.007
+
+        /** By how much radii grow before the rate is looked at again. */
+        const val PIECE = 0.02
+
         const val ROOM = 1 + 1e-9
-        const val LAST = 1e-12
 
         /** Filling factor at which discs jam over that at which spheres do. */
         const val PLANE = 1.3
     }
 }
+
+/**
+ * What growth has made.
+ *
+ * @property positions places by sphere
+ * @property factor by which radii are larger than those that were given
+ */
+public class GrownSpheres internal constructor(public val positions: Positions, public val factor: Double)

@@ -9,7 +9,8 @@ import java.nio.file.Path
 
 /**
  * A table of spheres as text: a header with `x, y, z, radius` and optionally `vx, vy, vz, mass, omegax, omegay, omegaz,
- * material, id` in any order, then one line per sphere. Materials are names, or numbers from 0 on. Lines that are empty or begin with `#` are skipped.
+ * material, id` in any order, then one line per sphere. A table of discs may do without z, vz, omegax and omegay. Materials
+ * are names, or numbers from 0 on. Lines that are empty or begin with `#` are skipped.
  */
 public object ParticleCsv : ReadableFormat {
     override val title: String = "table with a header"
@@ -18,7 +19,7 @@ public object ParticleCsv : ReadableFormat {
     override val keeps: Kept = Kept(masses = IF_THERE, velocities = IF_THERE, ids = IF_THERE, severalStates = false)
 
     private val KNOWN = SphereQuantity.EXPORTED.flatMap { it.columns } + "id"
-    private val NEEDED = listOf(SphereQuantity.POSITION, SphereQuantity.RADIUS).flatMap { it.columns }
+    private val NEEDED = listOf(SphereQuantity.POSITION, SphereQuantity.RADIUS).flatMap { it.columns } - "z"
     private val POSITIVE = SphereQuantity.EXPORTED.filter { it.isPositive }.flatMap { it.columns }
 
     /** What other programs put between cells. */
@@ -27,7 +28,7 @@ public object ParticleCsv : ReadableFormat {
     /**
      * Reads [path].
      *
-     * @param density mass per volume where the table has no masses
+     * @param density mass per volume where the table has no masses, of discs without z per area
      * @throws FormatException that names the line and column of the error
      */
     @JvmStatic
@@ -55,7 +56,7 @@ public object ParticleCsv : ReadableFormat {
             val cells = line.split(',').map { it.trim() }
             if (table == null) table = Table(header(cells, path)) else table.rows += row(cells, table, lines)
         }
-        return table ?: throw FormatException("$path: is empty; a header with x, y, z, radius is needed")
+        return table ?: throw FormatException("$path: is empty; a header with x, y, z (not of discs), radius is needed")
     }
 
     private fun header(names: List<String>, path: Path): List<String> {
@@ -108,6 +109,9 @@ public object ParticleCsv : ReadableFormat {
     private class Table(val names: List<String>) {
         val rows = ArrayList<DoubleArray>()
 
+        /** Whether it can be of discs only. */
+        private val isFlat = "z" !in names
+
         /** What stands in the column of materials, in the order in which it comes up. */
         private val words = LinkedHashMap<String, Int>()
 
@@ -136,7 +140,7 @@ public object ParticleCsv : ReadableFormat {
             val at = names.indexOf("id")
             if (at >= 0) rows.sortBy { it[at] }
             val known = SphereQuantity.EXPORTED.filterTo(HashSet()) { quantity ->
-                quantity in NUMBERED && quantity.columns.all { it in names }
+                quantity in NUMBERED && quantity.columns.all { it in names || isFlat && it in OUT_OF_PLANE }
             }
             val numbers = SphereQuantity.EXPORTED.flatMap { quantity ->
                 quantity.columns.map { column(it, quantity.absent) }
@@ -144,12 +148,15 @@ public object ParticleCsv : ReadableFormat {
             if (SphereQuantity.MASS !in known) {
                 val radius = numbers[SphereQuantity.RADIUS.place]
                 numbers[SphereQuantity.MASS.place] =
-                    DoubleArray(rows.size) { density * 4.0 / 3.0 * Math.PI * radius[it] * radius[it] * radius[it] }
+                    DoubleArray(rows.size) {
+                        val r = radius[it]
+                        if (isFlat) density * Math.PI * r * r else density * 4.0 / 3.0 * Math.PI * r * r * r
+                    }
             }
             val state = Snapshot(
                 0, 0.0, DoubleArray(3) { Double.NaN }, BooleanArray(3), 0.0,
                 if (at < 0) IntArray(rows.size) { it } else IntArray(rows.size) { rows[it][at].toInt() },
-                numbers, NORMAL_AXIS, SLIDE_AXIS, known, hasTime = false, hasId = at >= 0,
+                numbers, NORMAL_AXIS, SLIDE_AXIS, known, hasTime = false, hasId = at >= 0, isFlat = isFlat,
             )
             return withMaterials(state)
         }
@@ -160,6 +167,7 @@ public object ParticleCsv : ReadableFormat {
         }
     }
 
+    private val OUT_OF_PLANE = setOf("z", "vz", "omegax", "omegay")
     private const val MATERIAL = "material"
     private const val NORMAL_AXIS = 1
     private const val SLIDE_AXIS = 0

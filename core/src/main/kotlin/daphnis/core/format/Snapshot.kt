@@ -20,6 +20,7 @@ import daphnis.core.population.optional
  * @property hasId whether [id] is from the file; false where particles are numbered in the order of the file
  * @property materials names of materials by number, as in [Population.materials]
  * @property species what the file says particles are made of, where nobody has said what materials that means
+ * @property isFlat whether the file has no z, and so tells discs only; z is 0
  * @property shift what a file's coordinates x, y, z had more than [position], whose box is centred on the origin
  */
 public class Snapshot internal constructor(
@@ -39,6 +40,7 @@ public class Snapshot internal constructor(
     public val hasId: Boolean = true,
     public val materials: List<String> = emptyList(),
     internal val species: Species? = null,
+    internal val isFlat: Boolean = false,
 ) : SphereColumns {
     /**
      * @param hasMass whether [mass] is from the file; false when the file had none and the reader substituted one
@@ -165,7 +167,7 @@ public class Snapshot internal constructor(
         materials: List<String> = this.materials,
     ): Snapshot = Snapshot(
         step, time, lengths, periodic, shearOffset, id, numbers, normalAxis, slideAxis, known, image, hasTime, shift,
-        hasId, materials, species,
+        hasId, materials, species, isFlat,
     )
 
     /** The same state, arrays shared, of particles that are made of the materials [names], with these numbers. */

@@ -1,5 +1,7 @@
 package daphnis.core.run
 
+import daphnis.core.boundary.BoundaryConditions
+import daphnis.core.boundary.pistons
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.collision.Counter
 import kotlinx.serialization.EncodeDefault
@@ -19,6 +21,8 @@ import kotlinx.serialization.Serializable
  *
  * @property reducedPressure where spheres grow, that of the last step
  *
+ * @property pistons position and speed of each wall that is a piston, by the number of its face
+ *
  * @property losses what was lost of tables, and accepted on a resume, since the start of the run; one line each
  */
 @OptIn(ExperimentalSerializationApi::class)
@@ -32,10 +36,13 @@ internal class CheckpointMeta(
     val whole: Map<String, FileMark> = emptyMap(),
     val losses: List<String> = emptyList(),
     @EncodeDefault(EncodeDefault.Mode.NEVER) val reducedPressure: Double? = null,
+    @EncodeDefault(EncodeDefault.Mode.NEVER) val pistons: Map<Int, List<Double>> = emptyMap(),
 ) {
     init {
         val lacks = Counter.entries.find { it.isOfTrajectory && it.key !in counted }
         require(lacks == null) { "it does not say ${lacks?.key}" }
+        val wrong = pistons.entries.find { (_, state) -> state.size != 2 || !state.all { it.isFinite() } }
+        require(wrong == null) { "the piston at face ${wrong?.key} has the state ${wrong?.value}" }
     }
 
     /** The same with the marks of the run's files. */
@@ -48,7 +55,16 @@ internal class CheckpointMeta(
         whole,
         losses,
         reducedPressure,
+        pistons,
     )
+
+    /** Puts the pistons of [boundary] where they were. */
+    fun putPistons(boundary: BoundaryConditions) {
+        for ((face, piston) in boundary.pistons) {
+            val (position, speed) = pistons[face] ?: continue
+            piston.put(position, speed)
+        }
+    }
 
     /** Sets [counters] to the stored counts. */
     fun countInto(counters: CollisionCounters) {

@@ -2,6 +2,7 @@ package daphnis.core.run
 
 import daphnis.core.Opening
 import daphnis.core.OutputState
+import daphnis.core.boundary.pistons
 import daphnis.core.cluster.FleetException
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.compression.GrowingSpheres
@@ -96,13 +97,18 @@ internal class Execution(
         }
     }
 
-    /** Spheres that grow and collide without end are jammed, and the state is still that before the step. */
+    /**
+     * Spheres that grow and collide without end, or fail otherwise at a high pressure, are jammed, and the state is still
+     * that before the step.
+     */
     private fun reason(e: Exception): String {
+        val said = e.message ?: e.javaClass.name
         val growth = simulation.boundary as? GrowingSpheres
-        if (growth == null || e !is CollapseException) return e.message ?: e.javaClass.name
+        val pressure = growth?.reducedPressure ?: Double.NaN
+        if (growth == null || e !is CollapseException && !(pressure > JAMMED)) return said
         val filling = growth.fillingFactor(simulation.population)
-        return "jammed at a filling factor of $filling, where they collide without end; end the run before, " +
-            "with growth.untilFillingFactor or growth.untilPressure"
+        return "jammed at a filling factor of $filling and a reduced pressure of $pressure ($said); end the run " +
+            "before, with growth.untilFillingFactor or growth.untilPressure"
     }
 
     private fun keepStateBefore(e: Throwable) {
@@ -129,6 +135,7 @@ internal class Execution(
             wallSeconds,
             losses = from?.losses.orEmpty(),
             reducedPressure = (simulation.boundary as? GrowingSpheres)?.reducedPressure?.takeIf { it.isFinite() },
+            pistons = simulation.boundary.pistons.mapValues { (_, it) -> listOf(it.position, it.speed) },
         )
         val population = simulation.population
         files.writer.state(SpheresById.bytes(population), { SpheresById(population) }) { spheres ->
@@ -152,6 +159,9 @@ internal class Execution(
         }
     }
 }
+
+/** Reduced pressure at which growing spheres are jammed when a step fails. */
+private const val JAMMED = 100.0
 
 /** What a run throws for [e], which names no step. */
 internal fun failed(e: RuntimeException, step: Long) = RunException("step $step: ${e.message}", e)

@@ -93,6 +93,7 @@ private fun planOf(program: Program, population: Population, meta: CheckpointMet
         }
         if (meta != null) {
             simulation.goOnFrom(meta.time, meta.step)
+            meta.putPistons(simulation.boundary)
             simulation.collisions?.let { meta.countInto(it.counters) }
         }
         if (!ModesOutput.times(output).isNever) {

@@ -3,6 +3,7 @@ package daphnis.core.run
 import daphnis.core.Output
 import daphnis.core.Simulation
 import daphnis.core.boundary.hasDrivenWalls
+import daphnis.core.boundary.pistons
 import daphnis.core.cluster.FleetEngines
 import daphnis.core.compression.GrowingSpheres
 import daphnis.core.engine.EngineFactory
@@ -47,6 +48,7 @@ internal class RunPlan(
         simulation.boundary.hasDrivenWalls,
         simulation.boundary.surfaces.size,
         simulation.boundary is GrowingSpheres,
+        simulation.boundary.pistons.keys,
     )
 
     /** Whether the run ends before [until], with the present state. */
@@ -94,6 +96,7 @@ internal fun planOf(
     val simulation = closingIfItThrows(nodes?.fleet ?: engine) {
         val forcing = setup.collisions(engine, records)
         meta?.countInto(forcing.counters)
+        meta?.putPistons(setup.boundary)
         meta?.reducedPressure?.let { (setup.boundary as? GrowingSpheres)?.reducedPressure = it }
         val time = meta?.time ?: scenario.startTime
         val step = meta?.step ?: 0

@@ -2,6 +2,8 @@ package daphnis.core.run
 
 import daphnis.core.Output
 import daphnis.core.Simulation
+import daphnis.core.boundary.Piston
+import daphnis.core.boundary.pistons
 import daphnis.core.compression.GrowingSpheres
 import daphnis.core.force.Drift
 import daphnis.core.population.MaterialSums
@@ -28,7 +30,7 @@ internal object SeriesOutput : PeriodicOutput("series", OutputSpec::seriesEvery,
 
 /** `series.csv`: a row at each of [times]. */
 internal class Series(private val times: OutputTimes, private val sums: StepSums, files: RunFiles) : Output {
-    private val rows = SeriesColumns.of(sums.haveSpins, sums.materials, sums.haveGrowth)
+    private val rows = SeriesColumns.of(sums.haveSpins, sums.materials, sums.haveGrowth, sums.pistons)
     private val file = files.table(rows)
 
     override fun write(simulation: Simulation) {
@@ -52,6 +54,9 @@ internal class SeriesRow(val simulation: Simulation, stepSums: StepSums) {
     /** Null where spheres do not grow. */
     val growth: GrowingSpheres? = simulation.boundary as? GrowingSpheres
 
+    /** By face. */
+    val pistons: Map<Int, Piston> = simulation.boundary.pistons
+
     /** The total angular momentum along [axis], NaN where space repeats or turns. */
     fun angularMomentum(axis: Int): Double {
         val repeats = (0..2).any { simulation.boundary.repeats(it) }
@@ -63,7 +68,7 @@ internal class SeriesRow(val simulation: Simulation, stepSums: StepSums) {
 /**
  * The columns of `series.csv`; `docs/guide.md` says what they mean. A further quantity is a further line here. Those from
  * [ROTATIONAL_ENERGY] on are only there where spheres have spins, [FILLING_FACTOR] and [REDUCED_PRESSURE] where they
- * grow.
+ * grow, and those of a piston where that wall is one.
  */
 public object SeriesColumns : TableColumns {
     internal val rows = Columns<SeriesRow>("series.csv")
@@ -138,6 +143,27 @@ public object SeriesColumns : TableColumns {
     public val REDUCED_PRESSURE: Column =
         rows.number("reduced_pressure") { it.growth?.reducedPressure ?: Double.NaN }
 
+    private val FACES = listOf("lower_x", "upper_x", "lower_y", "upper_y", "lower_z", "upper_z")
+
+    /** Displacement of each piston from the face of the box, by face. */
+    @JvmField
+    public val PISTON_POSITION: List<Column> =
+        rows.each(FACES.map { "piston_position_$it" }, Dimension.LENGTH) { row, face ->
+            row.pistons[face]?.position ?: Double.NaN
+        }
+
+    /** Their velocities along their axes. */
+    @JvmField
+    public val PISTON_SPEED: List<Column> =
+        rows.each(FACES.map { "piston_speed_$it" }, Dimension.SPEED) { row, face ->
+            row.pistons[face]?.speed ?: Double.NaN
+        }
+
+    /** Of the motion of all pistons and in their forces: with [TOTAL_ENERGY] it is conserved where impacts conserve it. */
+    @JvmField
+    public val PISTON_ENERGY: Column =
+        rows.number("piston_energy", Dimension.ENERGY) { row -> row.pistons.values.sumOf { it.energy } }
+
     private val ofGrowth = setOf(FILLING_FACTOR, REDUCED_PRESSURE)
     private val ofRotation = MEAN_SPIN.toSet() + ANGULAR_MOMENTUM + ROTATIONAL_ENERGY + ROTATIONAL_TEMPERATURE
 
@@ -146,10 +172,23 @@ public object SeriesColumns : TableColumns {
     public fun temperatureOf(material: String): String = "temperature_$material"
 
     /** The columns of a run, with one for each of [materials] at the end. */
-    internal fun of(hasSpins: Boolean, materials: List<String>, grow: Boolean = false): Columns<SeriesRow> =
-        rows.without((if (hasSpins) emptySet() else ofRotation) + (if (grow) emptySet() else ofGrowth)).also { all ->
+    internal fun of(
+        hasSpins: Boolean,
+        materials: List<String>,
+        grow: Boolean = false,
+        pistons: Set<Int> = emptySet(),
+    ): Columns<SeriesRow> {
+        val none = (if (hasSpins) emptySet() else ofRotation) + (if (grow) emptySet() else ofGrowth) + without(pistons)
+        return rows.without(none).also { all ->
             materials.forEachIndexed { k, name ->
                 all.number(temperatureOf(name), Dimension.ENERGY) { it.materials?.temperature(k) ?: Double.NaN }
             }
         }
+    }
+
+    /** What is not there where the faces [pistons] alone are such. */
+    private fun without(pistons: Set<Int>): List<Column> {
+        val others = FACES.indices.filter { it !in pistons }.flatMap { listOf(PISTON_POSITION[it], PISTON_SPEED[it]) }
+        return if (pistons.isEmpty()) others + PISTON_ENERGY else others
+    }
 }

@@ -18,6 +18,7 @@ import daphnis.core.wave.ModeSums
  * @property areWallsDriven whether any wall moves or is thermal
  * @property surfaces how many walls there are that are not faces of the box
  * @property haveGrowth whether spheres grow
+ * @property pistons faces of the walls that are pistons
  */
 internal class StepSums(
     private val sums: PopulationSums,
@@ -27,6 +28,7 @@ internal class StepSums(
     val areWallsDriven: Boolean = false,
     val surfaces: Int = 0,
     val haveGrowth: Boolean = false,
+    val pistons: Set<Int> = emptySet(),
 ) {
     /** Names of the materials that there are sums of. */
     val materials: List<String> get() = byMaterial?.materials.orEmpty()

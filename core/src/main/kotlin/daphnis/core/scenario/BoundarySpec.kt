@@ -3,6 +3,7 @@ package daphnis.core.scenario
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.OpenPlane
+import daphnis.core.boundary.Piston
 import daphnis.core.boundary.WallSurface
 import daphnis.core.orbit.OrbitalFrequencies
 import kotlinx.serialization.SerialName
@@ -93,6 +94,12 @@ public sealed interface BoundarySpec {
                     own[face]?.temperature == null || !isRough,
                 ) {
                     "has a temperature; a thermal wall cannot be rough"
+                }
+                check.must(
+                    "${WallFacesSpec.KEY}.${WallFacesSpec.NAMES[face]}",
+                    own[face]?.motion !is Piston || !isRough,
+                ) {
+                    "is a piston, which cannot be rough"
                 }
             }
             val walls = daphnis.core.boundary.Walls(box, restitution, walled, rough, own, seed, shapes)

@@ -17,12 +17,14 @@ internal class Drawn(val radii: DoubleArray, val kinds: IntArray)
  * too, so that they are mixed on a lattice and in the order of ids.
  *
  * @param room volume in which they are, or area in the plane
+ * @param areProportions whether spheres will have other radii in these proportions, which need not fit
  */
 internal class DrawnRadii(
     private val spec: ParticlesSpec,
     private val kinds: List<SphereKind>,
     private val box: Box,
     private val check: ValueCheck,
+    private val areProportions: Boolean,
     private val room: Double = box.volume,
     private val stream: () -> SeededRandom,
 ) {
@@ -183,6 +185,7 @@ internal class DrawnRadii(
     }
 
     private fun checkFilling(key: String, value: Number, volume: Double, bound: String = "") {
+        if (areProportions) return
         val filling = volume / room
         val name = if (space.isPlane) "an area fraction" else "a filling factor"
         check.that(key, value, filling < space.closestPacking) {

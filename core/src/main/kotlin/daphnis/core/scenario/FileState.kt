@@ -113,6 +113,9 @@ internal class FileState(
 
     /** Discs are in the plane z = 0. */
     private fun requireInPlane(snapshot: Snapshot) {
+        check.that(KEY, spec.path, space.isPlane || !snapshot.isFlat) {
+            "has no column 'z'; that is a table of discs, which need dimensions 2"
+        }
         if (!space.isPlane) return
         for (place in OUT_OF_PLANE) {
             val column = snapshot.column(place)

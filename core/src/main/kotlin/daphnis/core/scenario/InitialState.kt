@@ -7,6 +7,7 @@ import daphnis.core.boundary.hasMovingWalls
 import daphnis.core.boundary.roomAt
 import daphnis.core.boundary.roomIn
 import daphnis.core.compression.GrownPlacement
+import daphnis.core.compression.GrownSpheres
 import daphnis.core.format.Snapshot
 import daphnis.core.initial.Crowding
 import daphnis.core.initial.Lattice
@@ -15,6 +16,7 @@ import daphnis.core.initial.PlacementException
 import daphnis.core.initial.Positions
 import daphnis.core.initial.RandomPlacement
 import daphnis.core.initial.SeededRandom
+import daphnis.core.initial.fillingFactor
 import daphnis.core.population.Population
 
 /**
@@ -54,8 +56,9 @@ internal class InitialState(
         val spec =
             scenario.particles ?: check.fail("particles", "is missing; it is needed unless the placement is a file")
         val kinds = SphereKind.of(spec, box.space, check)
-        val drawn = DrawnRadii(spec, kinds, box, check, boundary.roomIn(box)) { stream(SIZES) }.draw()
-        val radii = drawn.radii
+        val areProportions = (placement as? PlacementSpec.Grown)?.pressure != null
+        val drawn = DrawnRadii(spec, kinds, box, check, areProportions, boundary.roomIn(box)) { stream(SIZES) }.draw()
+        var radii = drawn.radii
         val bodies = Bodies(scenario.bodies, spec, box.space, check)
         val positions = try {
             check.must("placement", boundary.surfaces.isEmpty() || placement is PlacementSpec.Random) {
@@ -68,7 +71,12 @@ internal class InitialState(
             } else if (placement is PlacementSpec.Grown) {
                 check.must("bodies", scenario.bodies.isEmpty()) { "need random placement, which goes around them" }
                 val grown = GrownPlacement(scenario.engine.threadsAtStart)
-                if (isPlaced) {
+                val pressure = placement.pressure
+                if (pressure != null) {
+                    val spheres = atPressure(grown, pressure, spec.amount(radii.size), radii, isPlaced)
+                    radii = DoubleArray(radii.size) { radii[it] * spheres.factor }
+                    spheres.positions
+                } else if (isPlaced) {
                     grown.place(
                         radii,
                         room,
@@ -123,6 +131,28 @@ internal class InitialState(
         }
     }
 
+    /** Spheres that have grown to [pressure], or without being placed some that have not begun to. */
+    private fun atPressure(
+        grown: GrownPlacement,
+        pressure: Double,
+        amount: Pair<String, Any>,
+        radii: DoubleArray,
+        isPlaced: Boolean,
+    ): GrownSpheres {
+        check.that("placement.pressure", pressure, pressure > 1 && pressure < MOST_PRESSURE) {
+            "must be > 1, that of an ideal gas, and < $MOST_PRESSURE"
+        }
+        check.must("particles.${amount.first}", amount.first == "count" || amount.first == "materials") {
+            "follows from placement.pressure, at which radii are not known before; give count"
+        }
+        if (!isPlaced) return GrownSpheres(grown.middle(radii.size), grown.looseFor(pressure, radii, room))
+        val spheres = grown.placeAtPressure(pressure, radii, room, walled(), stream(PLACES))
+        val filling = fillingFactor(DoubleArray(radii.size) { radii[it] * spheres.factor }, room)
+        notices += "placement.pressure is $pressure: radii are ${spheres.factor} times those of particles.sizes, and " +
+            "the filling factor is $filling"
+        return spheres
+    }
+
     private fun ParticlesSpec.amount(all: Int): Pair<String, Any> = when {
         fillingFactor != null -> "fillingFactor" to fillingFactor
         opticalDepth != null -> "opticalDepth" to opticalDepth
@@ -137,7 +167,8 @@ internal class InitialState(
         check.that("placement.vacancies", spec.vacancies, spec.vacancies >= 0 && spec.vacancies < 1) {
             "must be a share of the sites, at least 0 and less than 1"
         }
-        val lattice = spec.lattice.lattice
+        val densest = if (box.space.isPlane) LatticeName.HEXAGONAL else LatticeName.FCC
+        val lattice = (spec.lattice ?: densest).lattice
         check.must("placement.lattice", lattice.isPlane == box.space.isPlane) {
             if (lattice.isPlane) {
                 "is of discs, which need dimensions 2"
@@ -153,6 +184,9 @@ internal class InitialState(
 
     companion object {
         const val STREAMS = 4L
+
+        /** Spheres that grow take long to come to it, and nothing changes on the way. */
+        private const val MOST_PRESSURE = 1000.0
         private const val SIZES = 0L
         const val PLACES = 1L
         private const val VELOCITIES = 2L

@@ -15,20 +15,26 @@ public sealed interface PlacementSpec {
     /**
      * At random, and where that is too dense smaller ones at random, which grow while they collide; see
      * [daphnis.core.compression.GrownPlacement].
+     *
+     * @property pressure reduced pressure P V/(N kT) to which they grow: sizes are then the proportions of radii; null
+     *   for growth to the sizes
      */
+    @OptIn(ExperimentalSerializationApi::class)
     @Serializable
     @SerialName("grown")
-    public class Grown : PlacementSpec
+    public class Grown @JvmOverloads constructor(
+        @EncodeDefault(EncodeDefault.Mode.NEVER) public val pressure: Double? = null,
+    ) : PlacementSpec
 
     /**
-     * @property lattice `fcc`, `hcp`, `bcc` or `cubic`, of discs `hexagonal` or `square`
+     * @property lattice `fcc`, `hcp`, `bcc` or `cubic`, of discs `hexagonal` or `square`; null for the first of them
      * @property vacancies share of the sites that stay empty, in [0, 1)
      */
     @OptIn(ExperimentalSerializationApi::class)
     @Serializable
     @SerialName("lattice")
     public class Lattice @JvmOverloads constructor(
-        public val lattice: LatticeName = LatticeName.FCC,
+        @EncodeDefault(EncodeDefault.Mode.NEVER) public val lattice: LatticeName? = null,
         @EncodeDefault(EncodeDefault.Mode.NEVER) public val vacancies: Double = 0.0,
     ) : PlacementSpec
 

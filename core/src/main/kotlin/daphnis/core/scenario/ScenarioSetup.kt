@@ -8,6 +8,7 @@ import daphnis.core.StoppingTimeStep
 import daphnis.core.Stops
 import daphnis.core.TimeStep
 import daphnis.core.boundary.BoundaryConditions
+import daphnis.core.boundary.hasPistons
 import daphnis.core.boundary.roomIn
 import daphnis.core.collision.CollapseGuard
 import daphnis.core.collision.ContactDurationGuard
@@ -59,7 +60,7 @@ public class ScenarioSetup private constructor(
     /**
      * The collisions of a simulation of this, computed by [engine].
      *
-     * @param recordCollisions see [CollisionForcing]
+     * @param recordCollisions see [CollisionForcing]; with a piston they are recorded in any case
      * @param law another one in place of the scenario's restitution
      * @param roughness another one in place of the scenario's; null for that of [law]
      */
@@ -69,8 +70,10 @@ public class ScenarioSetup private constructor(
         recordCollisions: Boolean = false,
         law: ContactLaw = restitution,
         roughness: Roughness? = this.roughness,
-    ): CollisionForcing =
-        CollisionForcing(law, guard, engine, recordCollisions, scenario.search, roughness, momentFactor)
+    ): CollisionForcing {
+        val records = recordCollisions || boundary.hasPistons
+        return CollisionForcing(law, guard, engine, records, scenario.search, roughness, momentFactor)
+    }
 
     /** Length of the first step of a run. */
     public fun firstStep(): Double {

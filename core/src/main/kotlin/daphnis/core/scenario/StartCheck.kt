@@ -7,6 +7,7 @@ import daphnis.core.boundary.ContactFaces
 import daphnis.core.boundary.ShearedPeriodic
 import daphnis.core.boundary.WallMotion
 import daphnis.core.boundary.leastRoom
+import daphnis.core.boundary.pistons
 import daphnis.core.boundary.roomAt
 import daphnis.core.force.mesh.MeshPoints
 import daphnis.core.format.SnapshotCheck
@@ -96,12 +97,28 @@ internal class StartCheck(
                 "take a smaller dt"
         }
         checkRoom(axis, largest)
+        checkPistons()
     }
 
     /** Checks of walls what a run that goes on needs too, as it may go on for longer than was checked at its start. */
     fun checkRooms() {
+        checkPistons()
         val largest = population.radius.maxOrNull() ?: return
         for (axis in 0 until boundary.space.dimensions) checkRoom(axis, largest)
+    }
+
+    /** A piston that is as light as a sphere would have to recoil within the step. */
+    private fun checkPistons() {
+        val heaviest = population.mass.maxOrNull() ?: return
+        for ((face, piston) in boundary.pistons) {
+            check.that(
+                "${WallFacesSpec.KEY}.${WallFacesSpec.NAMES[face]}.motion.mass",
+                piston.mass,
+                piston.mass >= LIGHTEST * heaviest,
+            ) {
+                "must be $LIGHTEST times the mass of the heaviest sphere, $heaviest, or more"
+            }
+        }
     }
 
     private fun checkRoom(axis: Int, largest: Double) {
@@ -254,6 +271,9 @@ internal class StartCheck(
 
         /** Of a wall or a bouncing sphere in a step. More would still be right, but there are contacts in each. */
         private const val MOST_CYCLES = 1000
+
+        /** Mass of a piston over that of a sphere, at least. */
+        private const val LIGHTEST = 10.0
 
         /** Of a mesh, 0.3 GB. */
         private const val MOST_POINTS = 40_000_000

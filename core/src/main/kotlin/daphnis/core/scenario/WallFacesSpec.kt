@@ -1,5 +1,6 @@
 package daphnis.core.scenario
 
+import daphnis.core.boundary.Piston
 import daphnis.core.boundary.WallFace
 import daphnis.core.boundary.WallMotion
 import kotlinx.serialization.SerialName
@@ -12,11 +13,31 @@ public sealed interface WallMotionSpec {
     /** A description for a reader: [number] writes numbers. */
     public fun inWords(number: DoubleFunction<String>): String
 
-    /** A piston: at time 0 at the face of the box. */
+    /** At one speed: at time 0 at the face of the box. */
     @Serializable
     @SerialName("steady")
     public class Steady(public val velocity: Double) : WallMotionSpec {
         override fun inWords(number: DoubleFunction<String>): String = "moves with ${number.apply(velocity)}"
+    }
+
+    /**
+     * A wall with a mass, see [daphnis.core.boundary.Piston].
+     *
+     * @property mass its mass
+     * @property force along the axis
+     * @property position displacement from the face of the box at the start
+     * @property velocity at the start
+     */
+    @Serializable
+    @SerialName("piston")
+    public class Piston @JvmOverloads constructor(
+        public val mass: Double,
+        public val force: Double = 0.0,
+        public val position: Double = 0.0,
+        public val velocity: Double = 0.0,
+    ) : WallMotionSpec {
+        override fun inWords(number: DoubleFunction<String>): String =
+            "piston of mass ${number.apply(mass)} under the force ${number.apply(force)}"
     }
 
     /** @property phase part of a cycle, at time 0 */
@@ -70,6 +91,13 @@ internal fun WallMotionSpec.motion(key: String, check: ValueCheck): WallMotion {
             check.speed("$key.velocity", velocity)
             WallMotion.Steady(velocity)
         }
+        is WallMotionSpec.Piston -> {
+            check.positive("$key.mass", mass)
+            check.that("$key.force", force, force.isFinite()) { "must be finite" }
+            check.that("$key.position", position, position.isFinite()) { "must be finite" }
+            check.speed("$key.velocity", velocity)
+            Piston(mass, force, position, velocity)
+        }
         is WallMotionSpec.Sine -> {
             periodic(amplitude, frequency, phase)
             WallMotion.Sine(amplitude, frequency, phase)
@@ -104,6 +132,9 @@ public class WallFaceSpec @JvmOverloads constructor(
         temperature?.let { check.positive("$key.temperature", it) }
         check.must("$key.restitution", restitution == null || temperature == null) {
             "does not matter for a wall with a temperature; give one of the two"
+        }
+        check.must("$key.temperature", temperature == null || motion !is WallMotionSpec.Piston) {
+            "is of a piston; a piston cannot be thermal"
         }
         return WallFace(restitution, motion?.motion("$key.motion", check), temperature)
     }

@@ -18,6 +18,8 @@ public fun warnings(setup: ScenarioSetup): List<String> {
         coarseOrbit(setup, dt),
         coarsePull(setup, dt),
         smallForWakes(setup),
+        fastWall(setup, dt),
+        coarsePiston(setup, dt),
     )
 }
 

@@ -6,6 +6,7 @@ import daphnis.core.boundary.Box
 import daphnis.core.boundary.LeesEdwards
 import daphnis.core.boundary.Periodic
 import daphnis.core.boundary.Walls
+import daphnis.core.format.ParticleCsv
 import daphnis.core.population.Population
 import daphnis.core.population.VelocityMoments
 import daphnis.core.population.granularTemperature
@@ -94,6 +95,8 @@ class DiscsTest {
         assertEquals(0.86, dense.population.size * PI / 4 / (24 * 18), 0.002)
         val square = setup("particles.fillingFactor=0.7", """placement={"type":"lattice","lattice":"square"}""")
         assertEquals(0.7, square.population.size * PI / 4 / (24 * 18), 0.002)
+        val hexagonal = setup("particles.fillingFactor=0.86", """placement={"type":"lattice"}""")
+        assertEquals(stateDigest(dense.population), stateDigest(hexagonal.population))
         // Random placement goes on where that of spheres has long given up.
         val random = setup("particles.fillingFactor=0.5")
         assertEquals(0.5, random.population.size * PI / 4 / (24 * 18), 0.002)
@@ -127,7 +130,7 @@ class DiscsTest {
             "boundary={\"type\":\"walls\",\"axes\":\"z\"}" to "boundary.axes: is z; must name x, y",
             "forces=[{\"type\":\"self-gravity\",\"constant\":1}]" to "forces[0]: is a force in three dimensions",
             "forces=[{\"type\":\"uniform-acceleration\",\"acceleration\":[0,0,1]}]" to "forces[0].acceleration",
-            "placement={\"type\":\"lattice\"}" to "placement.lattice: is of spheres",
+            "placement={\"type\":\"lattice\",\"lattice\":\"fcc\"}" to "placement.lattice: is of spheres",
             "particles.fillingFactor=0.91" to "closest packing",
             "particles.fillingFactor=0.8" to "equal discs at random jam at 0.547",
             "bodies=[{\"radius\":2,\"position\":[0,0,1]}]" to "bodies[0].position",
@@ -156,6 +159,15 @@ class DiscsTest {
         Files.writeString(directory.resolve("discs.csv"), "x,y,z,vx,vy,vz,radius\n0,0,0,1,0,0,0.5\n3,0,0,0,1,0,0.5\n")
         val population = setup(text = text).population
         assertEquals(Space.PLANE.volume(0.5), population.mass[0])
+        // Without heights it is of discs alone.
+        Files.writeString(directory.resolve("discs.csv"), "x,y,vx,vy,radius\n0,0,1,0,0.5\n3,0,0,1,0.5\n")
+        val flat = setup(text = text)
+        assertEquals(stateDigest(population), stateDigest(flat.population))
+        assertEquals(population.mass.toList(), flat.population.mass.toList())
+        assertTrue(flat.notices.none { "velocities" in it }) { "${flat.notices}" }
+        assertEquals(2 * PI * 0.25, ParticleCsv.population(directory.resolve("discs.csv"), 2.0).mass[1], 1e-15)
+        val told = problem("box.lengths=[10,10,10]", "dimensions=3", text = text)
+        assertTrue("has no column 'z'; that is a table of discs" in told) { told }
         for ((row, words) in listOf("3,0,1e-9,0,1,0,0.5" to "z = 1.0E-9", "3,0,0,0,1,-2,0.5" to "vz = -2.0")) {
             Files.writeString(directory.resolve("discs.csv"), "x,y,z,vx,vy,vz,radius\n0,0,0,1,0,0,0.5\n$row\n")
             val message = problem(text = text)

@@ -2,13 +2,19 @@ package daphnis.core.scenario
 
 import daphnis.core.boundary.Periodic
 import daphnis.core.compression.GrowingSpheres
+import daphnis.core.engine.CollisionEngine
+import daphnis.core.engine.EngineFactory
+import daphnis.core.engine.SerialEngine
 import daphnis.core.initial.fillingFactor
 import daphnis.core.run.Run
 import daphnis.core.run.RunDirectory
+import daphnis.core.run.RunException
 import daphnis.core.run.Summary
 import daphnis.core.run.results
 import daphnis.core.run.toStep
 import daphnis.core.search.Overlap
+import daphnis.core.step.CollapseException
+import daphnis.core.step.CollisionStep
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
@@ -182,5 +188,44 @@ class GrowthScenarioTest {
             val text = "placement={\"type\": \"lattice\", \"lattice\": \"$name\"}"
             assertEquals(97, ScenarioSetup.of(scenario(*fcc, text, "box.lengths=[9, 9, 9]"), "test").population.size)
         }
+    }
+
+    @Test
+    fun `a grown placement to a pressure scales the radii, and says by how much`() {
+        fun grown(pressure: Double) = arrayOf("growth=null", """placement={"type": "grown", "pressure": $pressure}""")
+        val setup = ScenarioSetup.of(scenario(*grown(4.0)), "test")
+        val radius = setup.population.radius[0]
+        assertTrue(setup.population.radius.all { it == radius })
+        assertEquals(4.0 / 3 * Math.PI * radius * radius * radius, setup.population.mass[0], 1e-12)
+        assertTrue(fillingFactor(setup.population.radius, setup.boundary.box) in 0.28..0.34) { "$radius" }
+        assertEquals(0.0, Overlap.deepest(setup.population, setup.boundary, 0.0).depth)
+        assertTrue("radii are ${radius / 0.6}".take(15) in setup.notices.single()) { "${setup.notices}" }
+        // The sizes are proportions.
+        ScenarioSetup.check(scenario(*grown(4.0), "particles.sizes.radius=50"), "test")
+        assertTrue("placement.pressure: is 1.0; must be > 1" in refused(*grown(1.0)))
+        assertTrue("placement.pressure: is 1000.0; must" in refused(*grown(1000.0)))
+        val full = """particles={"fillingFactor": 0.3, "sizes": {"type": "equal", "radius": 0.6}}"""
+        assertTrue("particles.fillingFactor: follows from placement.pressure" in refused(*grown(4.0), full))
+    }
+
+    @Test
+    fun `a run that jams ends with its filling factor and what to do`() {
+        class Failing(private val e: RuntimeException) : EngineFactory {
+            override val names = listOf("serial")
+
+            override fun create(name: String, threads: Int) = object : CollisionEngine by SerialEngine() {
+                override fun advance(step: CollisionStep) = throw e
+            }
+        }
+        fun told(e: RuntimeException, growth: String) = assertThrows(RunException::class.java) {
+            val directory = home.resolve("jam$growth${e.message}")
+            Run.start(scenario(growth), "test", directory, false, Failing(e)).use { it.execute() }
+        }.message.orEmpty()
+        val jammed = told(CollapseException("no end"), "growth.rate=0.1")
+        assertTrue("step 1: jammed at a filling factor of 0.2120575041" in jammed) { jammed }
+        assertTrue("(no end); end the run before, with growth.untilFillingFactor or" in jammed) { jammed }
+        // With a low pressure the step is too long for something else, and without growth nothing jams.
+        assertEquals("step 1: too far", told(IllegalArgumentException("too far"), "growth.rate=0.1"))
+        assertEquals("step 1: no end", told(CollapseException("no end"), "growth=null"))
     }
 }

@@ -126,4 +126,14 @@ class WarningsTest {
             assertEquals(warningsOf(box("timeStep.dt=0.1")), it.notices)
         }
     }
+
+    @Test
+    fun `a wall that goes through more than a cycle in a step is told`() {
+        fun shaken(frequency: Double) = warningsOf(
+            box("""boundary.faces={"lowerZ":{"motion":{"type":"sine","amplitude":0.1,"frequency":$frequency}}}"""),
+        )
+        assertEquals(emptyList<String>(), shaken(99.0))
+        val told = shaken(250.0).single()
+        assertTrue("the wall lowerZ goes through 2.50 cycles in a step" in told && "steps of 0.00400" in told) { told }
+    }
 }

@@ -18,8 +18,13 @@ internal class BoxNumbers(private val study: Study) {
 
     fun rows(): List<NumberRow> {
         val transport = motion.transport
-        val isUniform = !DrivenWalls.isUnderGravity(study)
-        if (!isUniform) {
+        val hasPiston = PistonVolume.isSeen(study)
+        val isUniform = !DrivenWalls.isUnderGravity(study) && !hasPiston
+        if (hasPiston) {
+            val (key, name) = if (space.isPlane) "area" to "area A" else "volume" to "volume V"
+            val unit = units.of(if (space.isPlane) "length^2" else "length^3")
+            PistonVolume.average(study)?.let { rows.average(key, "$name between the walls", it, unit) }
+        } else if (!isUniform) {
             // Of a bed that ends somewhere below the roof both would be numbers of the roof.
         } else if (space.isPlane) {
             rows.exact("area_fraction", "area fraction ν", bulk.fillingFactor, "")
@@ -79,6 +84,8 @@ internal class BoxNumbers(private val study: Study) {
 
     private fun references(): Map<String, Reference> {
         val scenario = study.physics ?: return emptyMap()
+        // They are of the density of the box.
+        if (PistonVolume.isSeen(study)) return emptyMap()
         val (last, filling) = study.last to bulk.fillingFactor
         return ElasticReferences.of(scenario, last, filling, motion.temperature.mean, bulk.numberDensity) +
             CoolingReferences.of(scenario, last) +

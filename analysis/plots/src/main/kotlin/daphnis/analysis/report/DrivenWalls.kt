@@ -35,6 +35,8 @@ internal object DrivenWalls {
         val output = scenario.output
         val step = (scenario.timeStep as? TimeStepSpec.Fixed)?.dt ?: Double.NaN
         val intervals = listOf(
+            "output.seriesEvery" to output.seriesEvery * step,
+            "output.seriesInterval" to output.seriesInterval,
             "output.snapshotEvery" to output.snapshotEvery * step,
             "output.snapshotInterval" to output.snapshotInterval,
             "output.transportEvery" to output.transportEvery * step,
@@ -56,7 +58,7 @@ internal object DrivenWalls {
         is WallMotionSpec.Sine -> motion.frequency
         is WallMotionSpec.Sawtooth -> motion.frequency
         is WallMotionSpec.BiParabolic -> motion.frequency
-        is WallMotionSpec.Steady, null -> null
+        is WallMotionSpec.Steady, is WallMotionSpec.Piston, null -> null
     }
 
     private const val WHOLE = 1e-3

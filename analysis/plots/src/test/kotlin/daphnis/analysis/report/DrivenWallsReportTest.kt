@@ -3,6 +3,7 @@ package daphnis.analysis.report
 import daphnis.analysis.input.AnalysisInput
 import daphnis.core.run.Run
 import daphnis.core.scenario.BuiltIn
+import daphnis.core.scenario.ScenarioJson
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
@@ -37,6 +38,32 @@ class DrivenWallsReportTest {
             lines[0].startsWith("output.snapshotEvery is 10") && lines[1].startsWith("output.transportEvery is 1"),
         )
         assertEquals(1, said("output.transportInterval=3.0005").size)
+        assertTrue(said("output.seriesEvery=40").single().startsWith("output.seriesEvery is 2 cycles"))
         assertEquals(emptyList<String>(), said("output.transportInterval=3.002"))
+    }
+
+    @Test
+    fun `the volume under a piston is that between the walls`(@TempDir home: Path) {
+        val piston = """{ "type": "piston", "mass": 20, "force": -5, "position": 1 }"""
+        val scenario = ScenarioJson.parse(
+            """{
+              "box": { "lengths": [10, 5, 5] },
+              "boundary": { "type": "walls", "axes": "x", "faces": { "upperX": { "motion": $piston } } },
+              "particles": { "count": 60, "sizes": { "type": "equal", "radius": 0.1 }, "mass": 1 },
+              "velocities": { "type": "gaussian", "sigma": 1, "exact": true },
+              "restitution": { "type": "constant", "coefficient": 1 },
+              "timeStep": { "type": "fixed", "dt": 0.1 }, "until": 1500,
+              "output": { "seriesEvery": 5, "transportEvery": 5 }
+            }""",
+            "test",
+        )
+        Run.start(scenario, "test", home).use { it.execute() }
+        Analysis(AnalysisInput.ofRun(home)).write(home)
+        val numbers = Files.readAllLines(home.resolve("tables/numbers.csv")).map { it.split(',') }.associateBy { it[0] }
+        assertTrue("filling_factor" !in numbers && "compressibility" !in numbers) { "${numbers.keys}" }
+        val volume = numbers.getValue("volume")
+        // F L = N kT and some more for the radii.
+        val expected = 60 * numbers.getValue("granular_temperature")[1].toDouble() / 5 * 25 + 2 * 0.1 * 25
+        assertEquals(1.0, volume[1].toDouble() / expected, 0.06) { "$volume of $expected" }
     }
 }

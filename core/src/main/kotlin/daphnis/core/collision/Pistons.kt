@@ -1,0 +1,77 @@
+package daphnis.core.collision
+
+import daphnis.core.boundary.BoundaryConditions
+import daphnis.core.boundary.pistons
+import daphnis.core.population.ExactSum
+import daphnis.core.population.Population
+
+/**
+ * Moves the pistons of a boundary at the end of each step, by the exact sums of the impulses that they gave: the order in
+ * which an engine found them changes no bit. See [daphnis.core.boundary.Piston].
+ *
+ * @param largest the largest radius, for which walls must leave room
+ */
+internal class Pistons private constructor(
+    private val boundary: BoundaryConditions,
+    private val record: CollisionRecord,
+    private val largest: Double,
+) {
+    private val faces = boundary.pistons
+    private val sums = faces.mapValues { ExactSum() }
+    private val before = DoubleArray(2 * WallContact.FACES)
+
+    /** A step begins, which may be taken back. */
+    fun begin() {
+        for ((face, piston) in faces) {
+            before[2 * face] = piston.position
+            before[2 * face + 1] = piston.speed
+        }
+    }
+
+    /**
+     * A step of [duration] that ended at the time [end] is done.
+     *
+     * @throws IllegalStateException when there is no room left between a piston and the wall across from it
+     */
+    fun move(duration: Double, end: Double) {
+        for (sum in sums.values) sum.clear()
+        for (k in 0 until record.size) {
+            if (record.isWall(k)) sums[WallContact.face(record.lower[k])]?.add(record.impulse(k))
+        }
+        for ((face, piston) in faces) {
+            val inward = if (face and 1 == 0) 1.0 else -1.0
+            piston.move(duration, inward * sums.getValue(face).value())
+        }
+        for (axis in faces.keys.map { it shr 1 }) requireRoom(axis, end)
+    }
+
+    private fun requireRoom(axis: Int, end: Double) {
+        fun at(face: Int) = boundary.wallMotion(face)?.displacement(end) ?: 0.0
+        val room = boundary.box.length(axis) + at(2 * axis + 1) - at(2 * axis)
+        check(room > 2 * largest) {
+            "the walls across ${"xyz"[axis]} are $room apart at time $end, and the largest sphere is ${2 * largest} " +
+                "wide; a piston needs a smaller force, or a step in which its speed changes by less"
+        }
+    }
+
+    /** The step that has begun is none. */
+    fun takeBack() {
+        for ((face, piston) in faces) piston.put(before[2 * face], before[2 * face + 1])
+    }
+
+    companion object {
+        /**
+         * Those of [boundary] around [population]; null where it has none.
+         *
+         * @param record of the collisions of each step
+         * @throws IllegalArgumentException when there is no record
+         */
+        fun of(boundary: BoundaryConditions, record: CollisionRecord?, population: Population): Pistons? {
+            if (boundary.pistons.isEmpty()) return null
+            requireNotNull(record) {
+                "a piston takes up the impulses of collisions; make CollisionForcing with recordCollisions = true"
+            }
+            return Pistons(boundary, record, population.radius.maxOrNull() ?: 0.0)
+        }
+    }
+}

@@ -1,0 +1,104 @@
+package daphnis.core.scenario
+
+import daphnis.core.run.Run
+import daphnis.core.run.RunDirectory
+import daphnis.core.run.Summary
+import daphnis.core.run.toStep
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertThrows
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.io.TempDir
+import java.nio.file.Files
+import java.nio.file.Path
+
+/** Pistons in scenarios: keys, series, checkpoints. */
+class PistonScenarioTest {
+    @TempDir
+    lateinit var home: Path
+
+    private fun scenario(motion: String, vararg settings: String, more: String = "") = ScenarioJson.parse(
+        """{
+          "box": { "lengths": [10, 5, 5] },
+          "boundary": { "type": "walls", "axes": "x", "faces": { "upperX": { "motion": { $motion } $more } } },
+          "particles": { "count": 80, "sizes": { "type": "equal", "radius": 0.2 }, "mass": 2 },
+          "velocities": { "type": "gaussian", "sigma": 1 },
+          "restitution": { "type": "constant", "coefficient": 1 },
+          "timeStep": { "type": "fixed", "dt": 0.05 }, "until": 4, "output": { "checkpointEvery": 7 }
+        }""",
+        "test",
+        settings.toList(),
+    )
+
+    private val plain = """"type": "piston", "mass": 40, "force": -9"""
+
+    private fun refused(motion: String, vararg settings: String, more: String = ""): String =
+        assertThrows(InputException::class.java) {
+            ScenarioSetup.of(scenario(motion, *settings, more = more), "test")
+        }.message.orEmpty()
+
+    private fun results(directory: Path) = listOf(
+        Files.readAllLines(directory.resolve("series.csv")),
+        Summary.read(RunDirectory(directory).summary).stateDigest,
+    )
+
+    @Test
+    fun `a run that is resumed goes on with the same bits, and its series has the piston`() {
+        val whole = home.resolve("whole")
+        Run.start(scenario(plain), "test", whole).use { it.execute() }
+        val rows = Files.readAllLines(whole.resolve("series.csv")).map { row ->
+            row.split(',').map { it.substringBefore(" [") }
+        }
+        assertEquals(
+            listOf("piston_position_upper_x", "piston_speed_upper_x", "piston_energy"),
+            rows[0].filter { it.startsWith("piston") },
+        )
+        fun column(name: String) = rows[0].indexOf(name).let { k -> rows.drop(1).map { it[k].toDouble() } }
+        assertEquals(0.0, column("piston_position_upper_x").first())
+        assertTrue(column("piston_position_upper_x").last() > 0.05)
+        val energies = column("total_energy").zip(column("piston_energy")) { a, b -> a + b }
+        assertTrue(energies.all { kotlin.math.abs(it / energies[0] - 1) < 0.01 }) { "$energies" }
+        for (step in listOf(7L, 31L)) {
+            val directory = home.resolve("part-$step")
+            Run.start(scenario(plain), "test", directory).toStep(step)
+            Run.resume(directory).use { it.execute() }
+            assertEquals(results(whole), results(directory)) { "from step $step" }
+        }
+    }
+
+    @Test
+    fun `a run without a piston has none in its series`() {
+        val directory = home.resolve("steady")
+        Run.start(scenario(""""type": "steady", "velocity": 0.1"""), "test", directory).use { it.execute() }
+        assertTrue("piston" !in Files.readAllLines(directory.resolve("series.csv"))[0])
+    }
+
+    @Test
+    fun `what is wrong is refused in a line with its key`() {
+        val key = "boundary.faces.upperX"
+        fun piston(rest: String) = """"type": "piston", $rest"""
+        val cases = listOf(
+            refused(piston(""""mass": 0""")) to "$key.motion.mass: is 0.0; must be > 0",
+            refused(piston(""""mass": 19""")) to
+                "$key.motion.mass: is 19.0; must be 10.0 times the mass of the heaviest",
+            refused(plain, more = """, "temperature": 2""") to "$key.temperature: is of a piston",
+            refused(plain, """boundary.roughness={"all":{"type":"constant","coefficient":0.5}}""") to
+                "$key: is a piston, which",
+            refused(piston(""""mass": 40, "position": -9.7""")) to "does not fit between the walls along x",
+        )
+        for ((told, words) in cases) {
+            assertTrue(words in told && '\n' !in told) { "$words: $told" }
+        }
+        assertTrue("piston of mass 40.0 under the force -9.0" in scenario(plain).boundary.inWords({ "$it" }, { "$it" }))
+    }
+
+    @Test
+    fun `a force that is strong for the step is told`() {
+        fun warned(force: Int) =
+            warnings(ScenarioSetup.of(scenario(""""type": "piston", "mass": 40, "force": $force"""), "t"))
+        assertEquals(emptyList<String>(), warned(-9))
+        assertTrue("the force on the piston upperX changes its speed by 0.1" in warned(-100).single()) {
+            "${warned(-100)}"
+        }
+    }
+}
