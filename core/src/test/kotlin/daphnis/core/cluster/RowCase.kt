@@ -42,6 +42,12 @@ enum class RowCase(text: String, internal val check: (List<List<String>>) -> Uni
         "velocities": {"type": "gaussian", "sigma": 1.0}, $GAS""",
         { rows -> assertEquals(listOf("NaN"), rows.column("potential_energy").distinct()) },
     ),
+    AT_REST(
+        """"until": 0.5, "box": {"lengths": [9, 9, 9]}, "boundary": {"type": "periodic"},
+        "particles": {"count": 300, "sizes": {"type": "equal", "radius": 0.4}, "mass": 1.0},
+        "velocities": {"type": "gaussian", "sigma": 1.0}, "placement": {"type": "random"},
+        "restitution": {"type": "constant", "coefficient": 1}, "timeStep": {"type": "fixed", "dt": 0.05}""",
+    ),
     BODIES(
         RING_UNITS + """"box": {"lengths": [60, 80, 12]}, "boundary": {"type": "hill-sheet"},
         "particles": {"opticalDepth": 0.2, "sizes": {"type": "equal", "radius": 1.0}, "density": 900},

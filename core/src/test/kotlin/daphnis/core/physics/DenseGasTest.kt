@@ -67,7 +67,7 @@ class DenseGasTest {
     private fun line(name: String, values: List<Double>): String {
         val mean = values.average()
         val error = sqrt(values.sumOf { (it - mean) * (it - mean) } / (values.size - 1.0) / values.size)
-        return String.format(Locale.ROOT, "%s: %.6g ± %.2g of %d runs", name, mean, error, values.size)
+        return String.format(Locale.ROOT, "%s: %.6g ± %.2g of %s", name, mean, error, values)
     }
 
     private fun List<Seen>.average(of: (Seen) -> Double) = sumOf(of) / size
@@ -75,19 +75,22 @@ class DenseGasTest {
     private fun run(density: Double, seed: Long, collisions: Int, walks: Boolean): Seen {
         val box = cube(COUNT, density * Math.PI / 6)
         val dt = if (density < 0.7) 0.06 else 0.02
-        val statistics = CollisionStatistics(from = SETTLE)
+        val statistics = CollisionStatistics()
         val walk = if (walks) Walk() else null
         val outputs = listOfNotNull<Output>(statistics, walk)
         gasSimulation(gas(COUNT, box, seed, true), Periodic(box), dt, record = true, outputs = outputs).use {
             while (it.time < SETTLE) it.advance()
             val start = it.time
-            while (statistics.count < collisions) it.advance()
+            val begun = statistics.count
+            val before = trace(statistics)
+            while (statistics.count < begun + collisions) it.advance()
             // Of N − 1 free spheres.
             val t = temperature(it.population) * COUNT / (COUNT - 1.0)
-            val virial = statistics.virial[0] + statistics.virial[4] + statistics.virial[8]
-            return Seen(1 + virial / (3 * COUNT * t * (it.time - start)), (walk?.diffusion ?: 0.0) / sqrt(t))
+            return Seen(1 + (trace(statistics) - before) / (3 * COUNT * t * (it.time - start)), (walk?.diffusion ?: 0.0) / sqrt(t))
         }
     }
+
+    private fun trace(sums: CollisionStatistics) = sums.virial.let { it[0] + it[4] + it[8] }
 
     /** Displacements, faces unwound, from origins [EVERY] steps apart once the gas has settled. */
     private class Walk : Output {

@@ -1,20 +1,26 @@
 package daphnis.core.run
 
+import daphnis.core.Engines
 import daphnis.core.FixedTimeStep
 import daphnis.core.OutputState
 import daphnis.core.Simulation
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.Open
 import daphnis.core.boundary.Periodic
+import daphnis.core.cluster.RowCase
 import daphnis.core.collision.ConstantRestitution
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.population.Population
 import daphnis.core.population.PopulationSums
 import daphnis.core.randomSpheres
+import daphnis.core.scenario.ScenarioJson
 import daphnis.core.simulationOf
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.io.TempDir
+import java.nio.file.Files
+import java.nio.file.Path
 
 class HeatStatisticsTest {
     /** Σ r_a (½ m v²) over all. */
@@ -74,6 +80,22 @@ class HeatStatisticsTest {
         val none = PopulationSums(null).apply { take(p) }
         assertEquals(listOf(0.0, 0.0, 0.0), none.heat.asList())
         assertEquals(none.kinetic.asList(), sums.kinetic.asList())
+    }
+
+    @Test
+    fun `all engines write the same heat, and a gas that is not elastic writes none`(@TempDir home: Path) {
+        fun rows(name: String, vararg settings: String): List<String> {
+            val scenario = ScenarioJson.parse(RowCase.AT_REST.text, "test", listOf("output.transportEvery=1") + settings)
+            Run.start(scenario, "test", home.resolve(name)).use { it.execute() }
+            return Files.readAllLines(home.resolve(name).resolve("transport.csv"))
+        }
+        val serial = rows("serial", "engine.name=serial")
+        assertTrue("collisional_heat_z" in serial[0])
+        assertTrue(serial.last().split(',').takeLast(6).all { it.toDouble() != 0.0 })
+        for (engine in Engines.names - "serial") {
+            assertEquals(serial, rows(engine, "engine.name=$engine", "engine.threads=3")) { engine }
+        }
+        assertTrue("heat" !in rows("inelastic", "restitution.coefficient=0.9")[0])
     }
 
     @Test

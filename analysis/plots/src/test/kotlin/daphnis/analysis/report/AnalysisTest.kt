@@ -197,7 +197,7 @@ class AnalysisTest {
         val known = ReferenceTest.sheared().keys
         assertTrue(known.size == 3 && NumberKeys.SHEARED.containsAll(known)) { "$known" }
         val gas = ReferenceTest.elastic().keys
-        assertTrue(gas.size == 3 && (NumberKeys.GAS + NumberKeys.HELFAND).containsAll(gas)) { "$gas" }
+        assertTrue(gas.size == 5 && (NumberKeys.GAS + NumberKeys.HELFAND).containsAll(gas)) { "$gas" }
         val open = run("cooling-gas", "until=0.2", "boundary={\"type\":\"open\"}", "particles.count=200")
         Analysis(AnalysisInput.ofRun(open)).write(open)
         assertTrue("granular_temperature" in NumberKeys.of(open))
@@ -341,10 +341,10 @@ class AnalysisTest {
         assertEquals("kinetic [units of mass length^2/time^2]", columns[2])
         assertFalse(Files.exists(path.resolve("plots/dispersion.png")))
         // Dashed, and at 2 of 4: the line upright is in the drawing only when averages begin within the run.
-        val marked = Files.readString(path.resolve("plots/temperature.svg"))
+        val marked = Files.readString(path.resolve("plots/collision-rate.svg"))
         Analysis(AnalysisInput.ofRun(path), AnalysisOptions(from = -1.0)).write(path)
         assertTrue("averages are over all of it." in Files.readString(path.resolve("report.html")))
-        val unmarked = Files.readString(path.resolve("plots/temperature.svg"))
+        val unmarked = Files.readString(path.resolve("plots/collision-rate.svg"))
         assertTrue("stroke-dasharray" in marked && "stroke-dasharray" !in unmarked)
         // Half a line at the end.
         fun read(acceptLoss: Boolean) = AnalysisInput.ofRun(path, acceptLoss)

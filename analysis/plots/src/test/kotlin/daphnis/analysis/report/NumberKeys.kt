@@ -62,7 +62,7 @@ internal object NumberKeys {
         "wave_growth_rate",
         "wave_growth_frequency",
     )
-    const val HELFAND = "viscosity_helfand"
+    val HELFAND = listOf("viscosity_helfand", "bulk_viscosity_helfand", "conductivity_helfand")
     private const val INFINITE = "self_diffusion_infinite_box"
     private const val GUIDING_CENTRES = "guiding_centre_diffusion"
 
@@ -91,7 +91,7 @@ internal object NumberKeys {
     )
     private const val DISCS = "area_fraction"
     private const val WALLS = "wall_work_over_dissipation"
-    private val single = listOf(INFINITE, GUIDING_CENTRES, DISCS, WALLS, HELFAND)
+    private val single = listOf(INFINITE, GUIDING_CENTRES, DISCS, WALLS) + HELFAND
 
     private val all =
         (RING + ROUGH_GAS + SELF_GRAVITY + SHEARED + MOONLET + DIFFUSION + WAVES + FLUID + ORDER + single).toSet()
