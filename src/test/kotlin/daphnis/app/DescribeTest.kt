@@ -46,6 +46,23 @@ class DescribeTest {
     }
 
     @Test
+    fun `a gas that cools has the length from which on vortices form, others have none`() {
+        val row = row(describe("cooling-gas"), "critical length")
+        // 2π √(2η/ζρ) with η* = 1.1756 η₀, ζ* = 0.1034 nT/η₀ at φ = 0.1 and ε = 0.9.
+        assertNear(28.5, after(row, ""))
+        assertTrue("none form in this box" in row) { row }
+        assertTrue("vortices will form" in describe("cooling-gas", "restitution.coefficient=0.7"))
+        for (other in listOf(
+            "restitution.coefficient=1",
+            "restitution.coefficient=0.5",
+            "boundary={\"type\":\"walls\"}",
+        )) {
+            assertFalse("critical length" in describe("cooling-gas", other)) { other }
+        }
+        for (name in listOf("elastic-gas", "ring-patch", "shear-cell")) assertFalse("critical length" in describe(name))
+    }
+
+    @Test
     fun `a patch of ring in numbers`() {
         val text = describe("ring-patch")
         assertNear(0.5, row(text, "optical depth"))

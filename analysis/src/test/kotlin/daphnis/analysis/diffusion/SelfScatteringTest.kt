@@ -1,19 +1,26 @@
 package daphnis.analysis.diffusion
 
+import daphnis.analysis.input.AnalysisInput
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.Periodic
 import daphnis.core.format.Snapshot
 import daphnis.core.initial.SeededRandom
 import daphnis.core.population.Population
+import daphnis.core.run.Run
+import daphnis.core.scenario.BuiltIn
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.io.TempDir
+import java.nio.file.Path
 import kotlin.math.abs
 import kotlin.math.exp
 import kotlin.math.sqrt
 
 class SelfScatteringTest {
+    @TempDir
+    lateinit var directory: Path
     private val boundary = Periodic(Box.centred(5.0, 5.0, 5.0))
     private val axes = List(3) { Coordinate.Position(it) }
 
@@ -107,6 +114,52 @@ class SelfScatteringTest {
         assertThrows(IllegalArgumentException::class.java) { SelfScattering(walk(9, 15, SeededRandom(1)) { 1.0 }, 1.0) }
         assertThrows(IllegalArgumentException::class.java) { SelfScattering(all, 0.0) }
         assertThrows(IllegalArgumentException::class.java) { SelfScattering(all, 1.0, 1) }
+    }
+
+    /** F_s and α₂ of an elastic gas at φ = 0.3 with errors, at lags of 0.4 and 2. */
+    private fun gas(seed: Int): SelfScattering {
+        val settings = listOf(
+            "particles={\"count\":256,\"sizes\":{\"type\":\"equal\",\"radius\":0.5},\"mass\":1}",
+            "box.lengths=[7.645,7.645,7.645]",
+            "velocities={\"type\":\"gaussian\",\"temperature\":1,\"exact\":true}",
+            "timeStep={\"type\":\"fixed\",\"dt\":0.1}",
+            "output={\"snapshotEvery\":4}",
+            "until=50",
+            "seed=$seed",
+        )
+        val path = directory.resolve("$seed")
+        Run.start(BuiltIn.scenario("elastic-gas", settings), "elastic-gas", path).use { it.execute() }
+        val input = AnalysisInput.ofRun(path)
+        val trajectories = Trajectories(axes, input.idsThroughout())
+        for (k in 5 until input.size) trajectories.add(input.snapshot(k))
+        return SelfScattering(trajectories, 2.0)
+    }
+
+    @Test
+    fun `of a gas errors cover the mean over seeds, and displacements become Gaussian`() {
+        val all = List(if (System.getProperty("daphnis.physics") == "full") 60 else 2) { gas(it + 1) }
+        for (lag in listOf(0.4, 2.0)) {
+            val l = all[0].lag.indexOfFirst { abs(it - lag) < 1e-6 }
+            val scattering = all.map { it.scattering[l] to it.scatteringError[l] }
+            val parameter = all.map { it.nonGaussian[l] to it.nonGaussianError[l] }
+            for (one in listOf(scattering, parameter)) {
+                val mean = one.map { it.first }.average()
+                if (all.size > 2) {
+                    val covered = one.count { abs(it.first - mean) < it.second }
+                    println(
+                        "lag $lag: $mean, error ${one.map {
+                            it.second
+                        }.average()}, covered $covered of ${all.size}",
+                    )
+                    assertTrue(covered in 33..51) { "$covered" }
+                }
+                // Of sixty errors one may be far too small: it is itself good to a fifth, as a rule.
+                assertTrue(one.count { abs(it.first - mean) > 4 * it.second } <= all.size / 30) { "$one" }
+            }
+            // Between free flight, exp(−k² t²/2), and no motion; α₂ of a dense gas is small and falls.
+            assertTrue(all[0].scattering[l] in exp(-2 * lag * lag)..1.0)
+            assertTrue(all[0].nonGaussian[l] in -0.05..0.2) { "${all[0].nonGaussian[l]}" }
+        }
     }
 
     private companion object {
