@@ -108,7 +108,6 @@ class PistonTest {
             }
             return
         }
-        // 60 units of time are some 500 impacts on each piston.
         for (drift in drifts[0]) assertTrue(abs(drift) < 0.03) { "$drifts" }
         for (drift in drifts[1]) assertTrue(abs(drift) < 0.01) { "$drifts" }
     }
