@@ -5,15 +5,16 @@ import kotlin.math.abs
 /**
  * A wall with a mass, which a constant force and the impacts of spheres move along its normal.
  *
- * Its motion depends on all impacts, which engines find in any order. So within a step it moves as it would without them,
- * with the acceleration force/mass, and a sphere of mass m that meets it with the relative speed u gets the impulse (1 +
- * ε) u m M/(m + M), as from a free body of mass M; at the end of the step the piston takes up the exact sum of these
- * impulses. Momentum is conserved to round-off. The energy changes by J₁J₂/M for each pair of impulses in a step, and by as
- * much less for the force: on average by nothing, so that it wanders with the root of step times time. A step should
- * change the speed of the piston by little, and its mass be large for that of a sphere; see docs/physics.md.
+ * Its motion depends on all impacts, which engines find in any order. So within a step it moves as it would without
+ * them, with the acceleration force/mass, and a sphere of mass m that meets it with the relative speed u gets the
+ * impulse (1 + ε) u m M/(m + M), as from a free body of mass M; at the end of the step the piston takes up the exact
+ * sum of these impulses. Momentum is conserved to round-off. The energy changes by J₁J₂/M for each pair of impulses
+ * in a step, and the force takes about as much back: it drifts by first order in the step, and wanders with the root
+ * of it. A step should change the speed of the piston by little, and its mass be large for that of a sphere; see
+ * docs/physics.md.
  *
- * [position] and [speed] are state of the simulation whose boundary this belongs to: one simulation, which moves it at
- * the end of each step, by the thread that calls it. Its checkpoints hold them.
+ * [position] and [speed] are state of the simulation whose boundary this belongs to: one simulation, which moves it
+ * at the end of each step, by the thread that calls it. Its checkpoints hold them.
  *
  * @property mass M > 0; infinite is what [WallMotion.Steady] is for
  * @property force along the axis, positive towards greater coordinates

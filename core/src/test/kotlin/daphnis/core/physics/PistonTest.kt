@@ -14,10 +14,13 @@ import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.engine.SerialEngine
 import daphnis.core.engine.horizon.HorizonEngine
+import daphnis.core.engine.horizon.HorizonTuning
 import daphnis.core.initial.RandomPlacement
 import daphnis.core.initial.SeededRandom
+import daphnis.core.parallel.FixedPool
 import daphnis.core.population.Population
 import daphnis.core.population.stateDigest
+import daphnis.core.surface.ConstantRoughness
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNotEquals
 import org.junit.jupiter.api.Assertions.assertThrows
@@ -105,7 +108,6 @@ class PistonTest {
             }
             return
         }
-        // 60 units of time are some 500 impacts on each piston.
         for (drift in drifts[0]) assertTrue(abs(drift) < 0.03) { "$drifts" }
         for (drift in drifts[1]) assertTrue(abs(drift) < 0.01) { "$drifts" }
     }
@@ -216,6 +218,8 @@ class PistonTest {
             val expected = bits(SerialEngine(), restitution)
             assertEquals(expected, bits(HorizonEngine(1), restitution))
             assertEquals(expected, bits(HorizonEngine(3), restitution))
+            // One that would lay out epochs of five steps wherever it may.
+            assertEquals(expected, bits(HorizonEngine(FixedPool(2), 0, HorizonTuning(5)), restitution))
         }
     }
 
@@ -267,6 +271,10 @@ class PistonTest {
         assertTrue("the walls across x are 1.0 apart at time 4.0" in near && "2.0 wide" in near) { near }
         pistons.takeBack()
         assertEquals(listOf(2.25, 1.5), listOf(piston.position, piston.speed))
+        val rough = List(6) { if (it == 0) ConstantRoughness(0.5) else null }
+        val faces = List(6) { if (it == 0) WallFace(motion = piston) else null }
+        assertThrows(IllegalArgumentException::class.java) { Walls(walls.box, roughness = rough, faces = faces) }
+        assertThrows(IllegalArgumentException::class.java) { WallFace(motion = piston, temperature = 1.0) }
         val told = assertThrows(IllegalArgumentException::class.java) {
             Simulation(sphere, walls, CollisionForcing(ConstantRestitution(1.0)), FixedTimeStep(0.1))
         }.message.orEmpty()
