@@ -52,7 +52,7 @@ class RefusalsTest {
     @Test
     fun `another version or protocol is refused on both sides`() {
         val node = tested.node()
-        for (build in listOf(Greeter.Build("0.0.9", 1), Greeter.Build("0.1.0", 99))) {
+        for (build in listOf(Greeter.Build("0.0.9", 1), Greeter.Build(Version.text, 99))) {
             val message = refusal { tested.leader("x", build = build) }
             assertTrue("is $build, ${node.address} is daphnis" in message) { message }
             awaitThat("line of the node") { tested.lines.any { it.startsWith("refused 127") && "$build" in it } }

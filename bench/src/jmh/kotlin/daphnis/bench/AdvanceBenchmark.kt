@@ -22,7 +22,7 @@ import java.util.concurrent.TimeUnit
  * collisions and particle-steps of all measured operations together, so nanoseconds per collision are score · 1e6 · Cnt
  * / collisions.
  *
- * `java -jar bench/target/bench-0.1.0.jar AdvanceBenchmark -p engine=ISLANDS,THREAD_POOL -p threads=1,2 -rf json -rff
+ * `java -jar bench/target/bench-0.2.0.jar AdvanceBenchmark -p engine=ISLANDS,THREAD_POOL -p threads=1,2 -rf json -rff
  * results.json`
  */
 @State(Scope.Benchmark)

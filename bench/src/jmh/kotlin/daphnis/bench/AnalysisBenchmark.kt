@@ -26,7 +26,7 @@ import daphnis.analysis.insitu.State as Patch
  * Radial order and streamlines of a large ring patch on one thread: a sort of unordered particles, a sort of particles
  * nearly in order, and streamlines, which include the latter.
  *
- * `java -Xmx6g -jar bench/target/bench-0.1.0.jar AnalysisBenchmark -p count=1000000,10000000`
+ * `java -Xmx6g -jar bench/target/bench-0.2.0.jar AnalysisBenchmark -p count=1000000,10000000`
  */
 @State(Scope.Benchmark)
 @BenchmarkMode(Mode.SingleShotTime)

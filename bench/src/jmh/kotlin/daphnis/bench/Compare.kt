@@ -8,7 +8,7 @@ import kotlin.system.exitProcess
  * Engines in turn in one process, round after round, on the same steps: on a noisy machine the only fair comparison.
  * Prints the fastest round of each, in ms per step, and its speed relative to the serial engine.
  *
- * `java -cp bench/target/bench-0.1.0.jar daphnis.bench.CompareKt WORKLOAD STEPS ROUNDS`
+ * `java -cp bench/target/bench-0.2.0.jar daphnis.bench.CompareKt WORKLOAD STEPS ROUNDS`
  */
 fun main(args: Array<String>) {
     val workload = Workload.entries.find { it.name == args.getOrNull(0) }

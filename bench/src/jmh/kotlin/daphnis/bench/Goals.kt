@@ -7,7 +7,7 @@ import kotlin.system.exitProcess
  * Where the project stands: one row for each ratio that it wants small or large, all measured in this process, in
  * turns, after a round that warms up.
  *
- * `java -Xmx8g -cp bench/target/bench-0.1.0.jar daphnis.bench.GoalsKt [size] [step] [threads] [actors] [memory]`
+ * `java -Xmx8g -cp bench/target/bench-0.2.0.jar daphnis.bench.GoalsKt [size] [step] [threads] [actors] [memory]`
  *
  * Without names all of them. `rounds=N` (3) of which the fastest counts; `tiny` only shows that it works.
  */

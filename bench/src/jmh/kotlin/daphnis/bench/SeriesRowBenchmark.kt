@@ -26,7 +26,7 @@ import java.util.concurrent.TimeUnit
  * The sums of one row of `series.csv` and `transport.csv`, of as many spheres as the paper's first system has, in
  * random order.
  *
- * `java -jar bench/target/bench-0.1.0.jar SeriesRowBenchmark -prof gc`
+ * `java -jar bench/target/bench-0.2.0.jar SeriesRowBenchmark -prof gc`
  */
 @State(Scope.Benchmark)
 @BenchmarkMode(Mode.AverageTime)

@@ -19,7 +19,7 @@ import java.util.concurrent.TimeUnit
  * One step of an elastic gas in equilibrium, repeated. The state stays in equilibrium, so this shows that a warm step
  * allocates nothing.
  *
- * `java -jar bench/target/bench-0.1.0.jar StepBenchmark -prof gc`
+ * `java -jar bench/target/bench-0.2.0.jar StepBenchmark -prof gc`
  */
 @State(Scope.Benchmark)
 @BenchmarkMode(Mode.AverageTime)
