@@ -18,7 +18,10 @@ internal class LivePage(port: Int) : AutoCloseable {
     /** [usual], and what the page needs of [run]. */
     fun watching(run: Run, usual: Output): Output {
         val name = run.scenario?.name ?: "${run.directory.path.fileName}"
-        feed.put(Feed.RUN, "{\"name\": ${JsonPrimitive(name)}, \"directory\": ${JsonPrimitive("${run.directory.path}")}}")
+        feed.put(
+            Feed.RUN,
+            "{\"name\": ${JsonPrimitive(name)}, \"directory\": ${JsonPrimitive("${run.directory.path}")}}",
+        )
         return Both(usual, LiveOutput(run, feed, newest))
     }
 

@@ -22,7 +22,8 @@ import java.util.concurrent.TimeUnit
  * must name this server as their `Host` (a name which is made to resolve to 127.0.0.1 does not), and events and states
  * are not for other sites. What can be asked for is a fixed list, by GET, and states by number; no file is looked up by
  * the name that is asked for. A request that does not come to its end within seconds is dropped, and who does not read a
- * state within [sendMilliseconds] gets no more of it, so that nobody keeps a thread or a state's memory for long.
+ * megabyte of a state within [sendMilliseconds] gets no more of it, so that nobody keeps a thread or a state's memory for
+ * long.
  *
  * @param port to listen on, or 0 for any free one
  * @param option of the command line that gave it
@@ -111,11 +112,18 @@ internal class LiveServer(
             return sendProblem(exchange, e)
         }
         head(exchange, "application/octet-stream")
+        exchange.sendResponseHeaders(200, bytes.size.toLong())
+        for (from in bytes.indices step PIECE) {
+            inTime { exchange.responseBody.write(bytes, from, minOf(PIECE, bytes.size - from)) }
+        }
+    }
+
+    /** [write], whose connection is closed when it takes too long. */
+    private fun inTime(write: () -> Unit) {
         val deadline = Deadline(Thread.currentThread())
         val late = clock.schedule(deadline, sendMilliseconds, TimeUnit.MILLISECONDS)
         try {
-            exchange.sendResponseHeaders(200, bytes.size.toLong())
-            exchange.responseBody.write(bytes)
+            write()
         } finally {
             late.cancel(false)
             deadline.end()
@@ -215,6 +223,7 @@ internal class LiveServer(
         const val MOST_WATCHERS = 8
         const val MOST_THREADS = 64
         const val MOST_SENDERS = 4
+        const val PIECE = 1_000_000
         const val SENDING_MILLISECONDS = 10_000L
 
         /** How long Java's server, which has no other way to be told, waits for the whole of a request. */

@@ -102,8 +102,13 @@ internal class RunView(private val run: RecordedRun) : StateSource {
 
         private fun edge(axis: Int) = snapshot.lengths[axis].let { if (it > 0) it / 2 else Double.POSITIVE_INFINITY }
 
-        override fun contactFaces(axis: Int): ContactFaces =
-            if (box.length(axis).isFinite() && snapshot.lengths[axis].isFinite()) ContactFaces.WALL else ContactFaces.OPEN
+        override fun contactFaces(axis: Int): ContactFaces = if (box.length(axis).isFinite() &&
+            snapshot.lengths[axis].isFinite()
+        ) {
+            ContactFaces.WALL
+        } else {
+            ContactFaces.OPEN
+        }
 
         override fun endStep(population: Population, time: Double): Unit = error("a state of a file does not move")
     }

@@ -60,7 +60,13 @@ internal class StateBytes(private val scale: PlotScale, private val most: Int = 
         val indices = IntArray(p.size)
         var count = 0
         for (k in 0 until p.size) if (!state.isParticle(k)) indices[count++] = k
-        for (k in 0 until p.size) if (state.isParticle(k) && (stride <= 1 || p.id[k] % stride == 0)) indices[count++] = k
+        for (k in 0 until p.size) {
+            if (state.isParticle(k) &&
+                (stride <= 1 || p.id[k] % stride == 0)
+            ) {
+                indices[count++] = k
+            }
+        }
         return indices.copyOf(count)
     }
 
