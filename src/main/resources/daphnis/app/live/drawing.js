@@ -76,6 +76,23 @@ export class Drawing {
         gl.bindVertexArray(null);
     }
 
+    /** Calls told with the milliseconds until what was drawn last is there. */
+    whenDone(told) {
+        const gl = this.gl;
+        const begun = performance.now();
+        const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+        gl.flush();
+        const look = () => {
+            if (fence && !gl.isContextLost() && gl.getSyncParameter(fence, gl.SYNC_STATUS) !== gl.SIGNALED) {
+                setTimeout(look, 5);
+                return;
+            }
+            gl.deleteSync(fence);
+            told(performance.now() - begun);
+        };
+        setTimeout(look, 5);
+    }
+
     some(of, seen, focus, paint, theme, from, count, isBody) {
         if (count === 0) return;
         const gl = this.gl;

@@ -70,6 +70,7 @@ function open() {
         states.isRecorded = run.isRecorded === true;
         part("name").textContent = run.name + " \u2192 " + run.directory;
         part("part").hidden = states.isRecorded;
+        if (states.isRecorded && !stage) note("no WebGL 2 in this browser: daphnis movie draws the states");
         document.title = run.name;
     });
     events.addEventListener("progress", (event) => {

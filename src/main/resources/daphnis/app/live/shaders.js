@@ -75,7 +75,7 @@ flat in float vRadius;
 flat in vec3 vColour;
 flat in int vIsSmall;
 uniform mat4 uProjection;
-uniform bool uIsFlat;     // a disc in the plane across the line of sight
+uniform bool uIsFlat;     // discs, which are seen from above
 out vec4 colour;
 void main() {
     vec3 hit = vCentre;
@@ -83,7 +83,7 @@ void main() {
     if (vIsSmall == 0) {
         // The nearest point of the line t * ray to the centre, by its offset from it: no difference of large numbers.
         vec3 ray = normalize(vPoint);
-        vec3 foot = ray * dot(ray, vCentre) - vCentre;
+        vec3 foot = (uIsFlat ? ray * (vCentre.z / ray.z) : ray * dot(ray, vCentre)) - vCentre;
         float inside = vRadius * vRadius - dot(foot, foot);
         if (inside < 0.0) discard;
         if (!uIsFlat) {

@@ -7,6 +7,7 @@ import { listen } from "./gestures.js";
 
 const MOST_SPHERES = 200000; // more are points
 const SLOW = 100; // milliseconds for a frame
+const FRAMES_TO_TELL = 3; // one after the other: the first one compiles, another may have been kept waiting
 const NAMES = { speed: "speed", size: "size", height: "height z", material: "material" };
 
 export class Stage {
@@ -18,6 +19,7 @@ export class Stage {
         this.state = null;
         this.isSlow = false;
         this.slowFrames = 0;
+        this.isTimed = false;
         this.isDue = false;
         const changed = () => this.redraw();
         listen(part("view"), this.camera, changed, actions);
@@ -45,6 +47,7 @@ export class Stage {
         if (!before || before.head.dimensions !== head.dimensions) {
             this.camera.fit(head.halves, head.dimensions === 2);
             this.part("sights").hidden = head.dimensions === 2;
+            this.part("turning").hidden = head.dimensions === 2;
         }
         this.drawing.load(state);
         this.offer(quantitiesOf(state));
@@ -77,22 +80,22 @@ export class Stage {
     redraw() {
         if (this.isDue || !this.state) return;
         this.isDue = true;
-        requestAnimationFrame((now) => this.frame(now));
+        requestAnimationFrame(() => this.frame());
     }
 
-    frame(now) {
+    frame() {
         this.isDue = false;
         this.fitCanvas();
-        const begun = performance.now();
         this.draw();
-        // Software draws here; a device goes on by itself, and keeps the next frame waiting.
-        const passed = Math.max(performance.now() - begun, now - this.last < 1000 ? now - this.last : 0);
-        this.last = now;
-        this.slowFrames = passed > SLOW && !this.asPoints() ? this.slowFrames + 1 : 0;
-        if (this.slowFrames >= 3 && this.part("shape").value === "auto") {
+        if (this.asPoints() || this.isTimed) return;
+        this.isTimed = true;
+        this.drawing.whenDone((milliseconds) => {
+            this.isTimed = false;
+            this.slowFrames = milliseconds > SLOW ? this.slowFrames + 1 : 0;
+            if (this.slowFrames < FRAMES_TO_TELL || this.isSlow) return;
             this.isSlow = true;
             this.redraw();
-        }
+        });
     }
 
     asPoints() {
