@@ -122,9 +122,11 @@ class Browser:
         return self.js(f"(r => [r.x + r.width / 2, r.y + r.height / 2])"
                        f"(document.getElementById('{element}').getBoundingClientRect())")
 
-    def picture(self, path=None):
-        """What is seen, as the bytes of a PNG."""
-        data = base64.b64decode(self.tell("Page.captureScreenshot", format="png")["data"])
+    def picture(self, path=None, **words):
+        """What is seen, as the bytes of a PNG; of a part of the page with clip."""
+        if "clip" in words:
+            words["clip"]["scale"] = 1
+        data = base64.b64decode(self.tell("Page.captureScreenshot", format="png", **words)["data"])
         if path:
             with open(path, "wb") as file:
                 file.write(data)

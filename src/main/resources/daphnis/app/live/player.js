@@ -13,8 +13,10 @@ export class Player {
         part("back").addEventListener("click", () => this.step(-1));
         part("next").addEventListener("click", () => this.step(1));
         part("slider").addEventListener("input", () => {
+            // Pausing puts the slider where the player is.
+            const place = Number(part("slider").value);
             this.pause();
-            this.goTo(Number(part("slider").value));
+            this.goTo(place);
         });
     }
 
