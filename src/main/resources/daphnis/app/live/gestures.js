@@ -63,7 +63,7 @@ export function listen(canvas, camera, changed, actions) {
     };
     document.addEventListener("keydown", (event) => {
         if (event.ctrlKey || event.metaKey || event.altKey) return;
-        if (event.target.closest("input, select, button, a")) return;
+        if (event.target.closest?.("input, select, button, a")) return;
         const act = keys[event.key] ?? actions[event.key];
         if (!act) return;
         event.preventDefault();
