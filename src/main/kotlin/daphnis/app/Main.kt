@@ -84,6 +84,7 @@ internal fun daphnisCommand(): Daphnis {
         ExportCommand(),
         AnalyzeCommand(),
         MovieCommand(),
+        ViewCommand(),
         ScenariosCommand(),
         DescribeCommand(),
         NodeCommand(),

@@ -16,10 +16,13 @@ internal class Feed {
     private val changed = lock.newCondition()
     private val latest = LinkedHashMap<String, Entry>()
     private var count = 0L
-    private var watchers = 0
+    private val watchers = ArrayList<Watcher>()
     private var isEnded = false
 
-    val isWatched: Boolean get() = lock.withLock { watchers > 0 }
+    val isWatched: Boolean get() = lock.withLock { watchers.isNotEmpty() }
+
+    /** Whether somebody looks that wants entries of [kind]. */
+    fun wants(kind: String): Boolean = lock.withLock { watchers.any { it.without != kind } }
 
     fun put(kind: String, text: String): Unit = lock.withLock {
         if (isEnded) return
@@ -33,32 +36,49 @@ internal class Feed {
         isEnded = true
     }
 
-    /** One more looks; null when [most] do already. To be closed when it does no longer. */
-    fun watch(most: Int): Watcher? = lock.withLock { if (watchers >= most) null else Watcher().also { watchers++ } }
+    /**
+     * One more looks, for all kinds but [without]; null when [most] do already. To be closed when it does no longer.
+     */
+    fun watch(most: Int, without: String? = null): Watcher? = lock.withLock {
+        if (watchers.size >= most) null else Watcher(without).also { watchers += it }
+    }
 
     /** Waits until nobody looks, at most [milliseconds]. */
     fun awaitNobody(milliseconds: Long): Unit = lock.withLock {
         var left = TimeUnit.MILLISECONDS.toNanos(milliseconds)
-        while (watchers > 0 && left > 0) left = changed.awaitNanos(left)
+        while (watchers.isNotEmpty() && left > 0) left = changed.awaitNanos(left)
     }
 
     /** Somebody who looks, on a thread of its own. */
-    inner class Watcher : AutoCloseable {
+    inner class Watcher(val without: String?) : AutoCloseable {
         private var seen = 0L
 
         /** What is new, waiting for it up to [milliseconds]; the latest of a kind only, in the order they came. */
         fun next(milliseconds: Long): List<Entry> = lock.withLock {
             if (count == seen) changed.await(milliseconds, TimeUnit.MILLISECONDS)
-            latest.values.filter { it.number > seen }.sortedBy { it.number }.also { seen = count }
+            latest.values.filter { it.number > seen && it.kind != without }.sortedBy { it.number }.also { seen = count }
         }
 
         override fun close(): Unit = lock.withLock {
-            watchers--
+            watchers -= this
             changed.signalAll()
         }
     }
 
     companion object {
+        const val RUN = "run"
+        const val PROGRESS = "progress"
+
+        /** From above, as an image. */
+        const val PICTURE = "picture"
+
+        /** That there is a newer state. */
+        const val STATE = "state"
+
+        /** Which states there are. */
+        const val STATES = "states"
+        const val SERIES = "series"
+        const val PROBLEM = "problem"
         const val END = "end"
     }
 }

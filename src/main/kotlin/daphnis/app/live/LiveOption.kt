@@ -22,12 +22,17 @@ internal class LiveOption : OptionGroup() {
      */
     fun <T> withPage(act: (LivePage?) -> T): T {
         val port = live ?: return act(null)
-        if (port !in 0..MOST_PORT) throw InputException(LIVE, null, "is $port; a port is in 0..$MOST_PORT, 0 for any")
+        requirePort(LIVE, port)
         return LivePage(port).use { page ->
             printLine("live: ${page.address}")
             act(page)
         }
     }
+}
+
+/** @throws InputException when [port], of [option], is none */
+internal fun requirePort(option: String, port: Int) {
+    if (port !in 0..MOST_PORT) throw InputException(option, null, "is $port; a port is in 0..$MOST_PORT, 0 for any")
 }
 
 /** [words] with the number that follows the option joined to it: any other word after it is the scenario. */

@@ -26,7 +26,7 @@ import java.util.concurrent.TimeUnit
  * time at most. The thread of the run copies the state, another one draws. Whatever fails here is no failure of the
  * run: the page says it.
  */
-internal class LiveOutput(private val run: Run, private val feed: Feed) : Output {
+internal class LiveOutput(private val run: Run, private val feed: Feed, private val newest: NewestState) : Output {
     private val pace = Pace(run.until)
     private val painter: ExecutorService = Executors.newSingleThreadExecutor {
         Thread(it, "daphnis-live-painter").apply {
@@ -38,6 +38,7 @@ internal class LiveOutput(private val run: Run, private val feed: Feed) : Output
     private val units = UnitNames(run.scenario?.units)
     private val picture = StatePicture(MovieOptions(width = WIDTH), units)
     private val scale = run.scenario?.let { PlotScale.of(it, run.simulation.population) }
+    private val encoder = StateBytes(scale ?: PlotScale(units, null, 1.0))
 
     /** When the next picture may be begun; [BUSY] while one is made. Written by the painter when it has done one. */
     @Volatile
@@ -70,11 +71,12 @@ internal class LiveOutput(private val run: Run, private val feed: Feed) : Output
     private fun tell(simulation: Simulation, left: Double, now: Long) {
         isTold = true
         toldAt = now
-        feed.put("progress", progress(simulation, left))
+        feed.put(Feed.PROGRESS, progress(simulation, left))
     }
 
     private fun show(simulation: Simulation) {
         due = BUSY
+        val begin = System.nanoTime()
         try {
             val state = State(
                 simulation.population.copy(),
@@ -83,7 +85,8 @@ internal class LiveOutput(private val run: Run, private val feed: Feed) : Output
                 orbits,
                 run.scenario?.firstBody ?: Int.MAX_VALUE,
             )
-            painter.execute { draw(state) }
+            val step = simulation.step
+            painter.execute { draw(state, step, begin) }
         } catch (e: Exception) {
             problem(e)
         } catch (e: OutOfMemoryError) {
@@ -112,15 +115,18 @@ internal class LiveOutput(private val run: Run, private val feed: Feed) : Output
 
     private fun collisionsOf(simulation: Simulation): Long = simulation.collisions?.counters?.collisions ?: 0
 
-    /** On the painter's thread. */
-    private fun draw(state: State) {
-        val begin = System.nanoTime()
+    /** On the painter's thread; [begin] is when the copy was begun, which counts too. */
+    private fun draw(state: State, step: Long, begin: Long) {
         try {
-            feed.put("picture", "data:image/png;base64," + base64(picture.png(state)))
+            if (feed.wants(Feed.STATE)) {
+                newest.put(step, encoder.of(state, step))
+                feed.put(Feed.STATE, "{\"number\": $step}")
+            }
+            if (feed.wants(Feed.PICTURE)) feed.put(Feed.PICTURE, "data:image/png;base64," + base64(picture.png(state)))
             val series = run.directory.series
             if (run.hasSeries && scale != null && Files.exists(series)) {
                 val plot = RunPlot.svg(series, run.scenario?.name.orEmpty(), scale)
-                if (plot != null) feed.put("series", "data:image/svg+xml;base64," + base64(plot.toByteArray()))
+                if (plot != null) feed.put(Feed.SERIES, "data:image/svg+xml;base64," + base64(plot.toByteArray()))
             }
             val end = System.nanoTime()
             // The first takes far longer than another, for all that Java loads.
@@ -138,7 +144,7 @@ internal class LiveOutput(private val run: Run, private val feed: Feed) : Output
 
     /** Pictures end, and the run goes on. */
     private fun problem(e: Throwable) {
-        feed.put("problem", "no more pictures: ${e.message ?: e.javaClass.simpleName}; the run goes on")
+        feed.put(Feed.PROBLEM, "no more pictures: ${e.message ?: e.javaClass.simpleName}; the run goes on")
     }
 
     override fun close() {

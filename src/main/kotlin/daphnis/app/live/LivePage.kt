@@ -9,7 +9,8 @@ import kotlinx.serialization.json.JsonPrimitive
 /** The live page of a run: from before it starts, so that a port that is taken is told at once, until it has ended. */
 internal class LivePage(port: Int) : AutoCloseable {
     private val feed = Feed()
-    private val server = LiveServer(port, feed)
+    private val newest = NewestState()
+    private val server = LiveServer(port, feed, newest)
     private var ending = "the run has ended"
 
     val address: String get() = server.address
@@ -17,8 +18,11 @@ internal class LivePage(port: Int) : AutoCloseable {
     /** [usual], and what the page needs of [run]. */
     fun watching(run: Run, usual: Output): Output {
         val name = run.scenario?.name ?: "${run.directory.path.fileName}"
-        feed.put("run", "{\"name\": ${JsonPrimitive(name)}, \"directory\": ${JsonPrimitive("${run.directory.path}")}}")
-        return Both(usual, LiveOutput(run, feed))
+        feed.put(
+            Feed.RUN,
+            "{\"name\": ${JsonPrimitive(name)}, \"directory\": ${JsonPrimitive("${run.directory.path}")}}",
+        )
+        return Both(usual, LiveOutput(run, feed, newest))
     }
 
     /** What the page says at the end. */
@@ -28,7 +32,13 @@ internal class LivePage(port: Int) : AutoCloseable {
 
     override fun close() {
         feed.end(ending)
+        // The last state is looked at longest.
+        if (feed.wants(Feed.STATE)) newest.awaitAsked(PATIENCE_MILLISECONDS)
         server.close()
+    }
+
+    private companion object {
+        const val PATIENCE_MILLISECONDS = 2000L
     }
 
     /** Calls [first] and then [second], each opened by itself. */

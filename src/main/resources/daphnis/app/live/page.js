@@ -1,22 +1,76 @@
-"use strict";
+// A run in the browser: what the server tells, into the elements of the page.
+
+import { Player } from "./player.js";
+import { Stage } from "./stage.js";
+import { States } from "./states.js";
+
 const part = (id) => document.getElementById(id);
+const note = (text) => { part("note").textContent = text; };
+const states = new States();
 let events = null;
 let isOver = false;
+let name = "daphnis";
 
-function show(id) {
+const actions = {
+    " ": () => player.toggle(),
+    ",": () => player.step(-1),
+    ".": () => player.step(1),
+    p: () => stage.save(name),
+};
+const stage = stageOrNull();
+const player = new Player(part, states, (state) => stage.show(state), note);
+part("shot").addEventListener("click", () => stage.save(name));
+
+/** Without WebGL 2 the run's own pictures from above stand in its place. */
+function stageOrNull() {
+    try {
+        return new Stage(part, actions);
+    } catch (e) {
+        note(`${e.message}: pictures from above are shown instead`);
+        return null;
+    }
+}
+
+function picture(id) {
     return (event) => {
         part(id).src = event.data;
         part(id).hidden = false;
     };
 }
 
+let isFetching = false;
+
+/** The newest state of a run that goes on, fetched as it comes; those that come meanwhile are passed over. */
+async function follow(number) {
+    follow.newest = number;
+    if (isFetching) return;
+    isFetching = true;
+    let done = null;
+    try {
+        while (done !== follow.newest) {
+            done = follow.newest;
+            const wasAtEnd = player.isAtEnd;
+            if (await states.get(done)) await player.renewed(wasAtEnd);
+        }
+    } catch (e) {
+        note(e.message);
+    } finally {
+        isFetching = false;
+    }
+}
+
 function open() {
     if (events || isOver) return;
-    events = new EventSource("events");
-    events.addEventListener("open", () => { part("note").textContent = ""; });
+    // Pictures cost the run time: they are drawn for those that ask for them.
+    events = new EventSource(stage ? "changes" : "events");
+    events.addEventListener("open", () => { if (stage) note(""); });
     events.addEventListener("run", (event) => {
         const run = JSON.parse(event.data);
+        name = run.name;
+        states.isRecorded = run.isRecorded === true;
         part("name").textContent = run.name + " \u2192 " + run.directory;
+        part("part").hidden = states.isRecorded;
+        if (states.isRecorded && !stage) note("no WebGL 2 in this browser: daphnis movie draws the states");
         document.title = run.name;
     });
     events.addEventListener("progress", (event) => {
@@ -25,19 +79,27 @@ function open() {
         part("part").value = progress.part;
         document.title = Math.floor(100 * progress.part) + " % " + part("name").textContent;
     });
-    events.addEventListener("picture", show("picture"));
-    events.addEventListener("series", show("series"));
-    events.addEventListener("problem", (event) => { part("note").textContent = event.data; });
+    events.addEventListener("states", (event) => {
+        const wasAtEnd = player.isAtEnd;
+        const { steps, text } = JSON.parse(event.data);
+        states.numbers = steps;
+        part("text").textContent = text;
+        if (stage) player.renewed(wasAtEnd);
+    });
+    events.addEventListener("state", (event) => { if (stage) follow(JSON.parse(event.data).number); });
+    events.addEventListener("picture", picture("picture"));
+    events.addEventListener("series", picture("series"));
+    events.addEventListener("problem", (event) => note(event.data));
     events.addEventListener("end", (event) => {
         isOver = true;
         close();
-        part("note").textContent = event.data;
+        note(event.data);
         document.title = "ended: " + part("name").textContent;
     });
     events.onerror = () => {
-        part("note").textContent = "no connection: the run has ended, or was killed";
+        note("no connection: the run has ended, or was killed");
         // The browser tries again by itself unless it was refused.
-        if (events.readyState === EventSource.CLOSED) close();
+        if (events && events.readyState === EventSource.CLOSED) close();
     };
 }
 

@@ -33,8 +33,8 @@ class LiveRunTest {
     private fun digest(result: CommandResult) = assertDone(result).lines().single { it.startsWith("state digest") }
 
     /** Events by kind, each with its last text, of the page at [port]; waits until it is there. */
-    private fun watch(port: Int): Map<String, String> {
-        val request = HttpRequest.newBuilder(URI.create("http://127.0.0.1:$port/events")).build()
+    private fun watch(port: Int, path: String = "events"): Map<String, String> {
+        val request = HttpRequest.newBuilder(URI.create("http://127.0.0.1:$port/$path")).build()
         val client = HttpClient.newHttpClient()
         repeat(200) {
             try {
@@ -43,6 +43,11 @@ class LiveRunTest {
                 client.send(request, BodyHandlers.ofLines()).body().forEach { line ->
                     if (line.startsWith("event: ")) kind = line.removePrefix("event: ")
                     if (line.startsWith("data: ")) seen[kind] = line.removePrefix("data: ")
+                    if (line.startsWith("data: ") &&
+                        kind == "state"
+                    ) {
+                        fetched += state(client, port, seen.getValue(kind))
+                    }
                 }
                 return seen
             } catch (e: IOException) {
@@ -76,6 +81,37 @@ class LiveRunTest {
             String(Base64.getDecoder().decode(events.getValue("series").removePrefix("data:image/svg+xml;base64,")))
         assertTrue("<svg" in series)
         assertTrue("problem" !in events) { "$events" }
+    }
+
+    private val fetched = ArrayList<DecodedState>()
+
+    /** The state that an event tells of, which the next one may have replaced; the last one has to be there. */
+    private fun state(client: HttpClient, port: Int, event: String): List<DecodedState> {
+        val number = event.filter { it.isDigit() }
+        val request = HttpRequest.newBuilder(URI.create("http://127.0.0.1:$port/state/$number")).build()
+        val answer = client.send(request, BodyHandlers.ofByteArray())
+        return if (answer.statusCode() == 200) listOf(DecodedState(answer.body())) else emptyList()
+    }
+
+    @Test
+    fun `a page that draws states gets them up to the last, which is that of the run, whose bits do not notice`() {
+        val port = ServerSocket(0).use { it.localPort }
+        val seen = CompletableFuture.supplyAsync { watch(port, "changes") }
+        val watched = daphnis(*words, "--live", "$port", "--out", "${folder.resolve("watched")}")
+        val digest = digest(watched)
+        assertEquals(digest(daphnis(*words, "--out", "${folder.resolve("alone")}")), digest)
+        val events = seen.get()
+        assertTrue("picture" !in events && "problem" !in events) { "$events" }
+        val end = fetched.last()
+        val last = daphnis.core.run.Run.open(folder.resolve("alone")).last()
+        assertEquals(last.step, end.text("number").toLong())
+        assertEquals(last.size, end.count)
+        // The page has them in the order of the run, which is not that of ids.
+        for (axis in 0..2) {
+            val there = end.columns[axis].sortedArray()
+            val those = FloatArray(last.size) { last.position[axis][it].toFloat() }.sortedArray()
+            for (k in there.indices) assertEquals(those[k], there[k], 1e-5f)
+        }
     }
 
     @Test

@@ -20,7 +20,8 @@ import java.util.stream.Stream
 @Timeout(30)
 class LiveServerTest {
     private val feed = Feed()
-    private val server = LiveServer(0, feed)
+    private val newest = NewestState()
+    private val server = LiveServer(0, feed, newest)
     private val client = HttpClient.newHttpClient()
 
     @AfterEach
@@ -43,12 +44,105 @@ class LiveServerTest {
 
     @Test
     fun `the page and its parts are served, and nothing from elsewhere is in them`() {
-        for ((path, type) in listOf("" to "text/html", "page.js" to "text/javascript", "page.css" to "text/css")) {
+        for ((path, type) in listOf("" to "text/html", "page.css" to "text/css") + scripts) {
             val answer = get(path)
             assertEquals(200, answer.statusCode())
             assertTrue(answer.headers().firstValue("Content-Type").get().startsWith(type))
             assertTrue("default-src 'none'" in answer.headers().firstValue("Content-Security-Policy").get())
             assertTrue("http" !in answer.body()) { path }
+            // What a part takes from others is served too.
+            for (other in Regex("(?:from|src=|href=) ?\"(?:\\./)?(\\w+\\.\\w+)\"").findAll(answer.body())) {
+                assertEquals(200, get(other.groupValues[1]).statusCode()) { other.value }
+            }
+        }
+    }
+
+    private val scripts = listOf(
+        "page", "player", "states", "stage", "camera", "gestures", "colours", "drawing", "shaders",
+    ).map { "$it.js" to "text/javascript" }
+
+    @Test
+    fun `a state is had by its number, and only the newest of a run that goes on`() {
+        assertEquals(404, get("state/0").statusCode())
+        newest.put(7, byteArrayOf(1, 2, 3))
+        val request = request("state/7").build()
+        val answer = client.send(request, BodyHandlers.ofByteArray())
+        assertEquals(listOf<Byte>(1, 2, 3), answer.body().asList())
+        assertEquals("application/octet-stream", answer.headers().firstValue("Content-Type").get())
+        newest.put(8, byteArrayOf(4))
+        assertEquals(404, get("state/7").statusCode())
+        val wrongs =
+            listOf("", "08", "+8", "-8", "8/", "8.0", "1e1", "x", "8%00", "9999999999999999999", "../page.js", "٨")
+        for (wrong in wrongs) {
+            val path = "/state/" + java.net.URLEncoder.encode(wrong, Charsets.UTF_8).replace("%25", "%")
+            assertEquals(404, statusOf("GET $path HTTP/1.1", host)) { wrong }
+        }
+        assertEquals(405, statusOf("POST /state/8 HTTP/1.1", host, "Content-Length: 0"))
+        assertEquals(403, statusOf("GET /state/8 HTTP/1.1", "Host: evil.example:${server.port}"))
+        assertEquals(403, statusOf("GET /state/8 HTTP/1.1", host, "Sec-Fetch-Site: cross-site"))
+        assertEquals(200, statusOf("GET /state/8 HTTP/1.1", host, "Sec-Fetch-Site: same-origin"))
+    }
+
+    @Test
+    fun `who does not read a state is dropped, and until then keeps it from a few at most`() {
+        val large = ByteArray(32_000_000)
+        LiveServer(0, feed, { large }, sendMilliseconds = 1500).use { server ->
+            val silent = List(4) {
+                Socket(InetAddress.getLoopbackAddress(), server.port).apply {
+                    soTimeout = 20_000
+                    getOutputStream().write(
+                        "GET /state/1 HTTP/1.1\r\nHost: localhost:${server.port}\r\n\r\n".toByteArray(),
+                    )
+                    assertEquals('H'.code, getInputStream().read())
+                }
+            }
+            val address = URI.create("${server.address}state/1")
+            fun status() = client.send(HttpRequest.newBuilder(address).build(), BodyHandlers.discarding()).statusCode()
+            assertEquals(503, status())
+            val page = URI.create(server.address)
+            assertEquals(200, client.send(HttpRequest.newBuilder(page).build(), BodyHandlers.discarding()).statusCode())
+            assertTrue((1..200).any { Thread.sleep(50).let { runCatching { status() }.getOrNull() == 200 } })
+            for (socket in silent) {
+                // What is under way comes, and then the end, before all of it.
+                val read = try {
+                    socket.getInputStream().readAllBytes().size
+                } catch (e: IOException) {
+                    0
+                }
+                assertTrue(read < large.size) { "$read" }
+                socket.close()
+            }
+        }
+    }
+
+    @Test
+    fun `pages that draw states get no pictures, and others no word of states`() {
+        feed.put(Feed.PICTURE, "p")
+        feed.put(Feed.STATE, "s")
+        feed.put(Feed.PROGRESS, "w")
+        assertTrue(!feed.wants(Feed.STATE) && !feed.wants(Feed.PICTURE))
+        val drawn = client.send(request("changes").build(), BodyHandlers.ofLines()).body().iterator()
+        assertEquals("event: state", drawn.next())
+        assertTrue(feed.wants(Feed.STATE) && !feed.wants(Feed.PICTURE))
+        val shown = events().body().iterator()
+        assertEquals("event: picture", shown.next())
+        assertTrue(feed.wants(Feed.STATE) && feed.wants(Feed.PICTURE))
+        feed.end("done")
+        assertEquals(listOf("event: progress", "event: end"), drawn.asSequence().filter { "event" in it }.toList())
+        assertEquals(listOf("event: progress", "event: end"), shown.asSequence().filter { "event" in it }.toList())
+    }
+
+    @Test
+    fun `a state that is asked for is sent whole before the server ends`() {
+        val large = ByteArray(16_000_000) { it.toByte() }
+        val server = LiveServer(0, Feed(), { large })
+        val request = HttpRequest.newBuilder(URI.create("${server.address}state/1")).build()
+        client.send(request, BodyHandlers.ofInputStream()).body().use { body ->
+            val first = body.read()
+            val closing = kotlin.concurrent.thread { server.close() }
+            assertEquals(large.size - 1, body.readAllBytes().size)
+            assertEquals(0, first)
+            closing.join()
         }
     }
 

@@ -1,0 +1,159 @@
+package daphnis.app.live
+
+import daphnis.analysis.insitu.State
+import daphnis.analysis.plot.PlotScale
+import daphnis.analysis.table.UnitNames
+import daphnis.app.describe.spheres
+import daphnis.core.boundary.ContactFaces
+import daphnis.core.space.Space
+import kotlinx.serialization.json.JsonArray
+import kotlinx.serialization.json.JsonElement
+import kotlinx.serialization.json.JsonNull
+import kotlinx.serialization.json.JsonPrimitive
+import kotlinx.serialization.json.buildJsonObject
+import java.nio.ByteBuffer
+import java.nio.ByteOrder
+import java.util.Locale
+import kotlin.math.sqrt
+
+/**
+ * States as the page draws them. The length of the head in bytes, an int; the head, JSON; columns of floats with x, y,
+ * z from the head's `origin` and the radius, all in units of length, and the speed against the mean flow in units of
+ * [scale]; a column of bytes with the numbers of materials, modulo 256. The lowest byte of a number comes first. Bodies,
+ * of which the head says how many, come before particles.
+ *
+ * @param most particles that are shown; of more, those whose ids a whole number divides, so that they are the same in
+ *   every state
+ */
+internal class StateBytes(private val scale: PlotScale, private val most: Int = MOST) {
+    /** [state] with its [number] in the run. Any thread may call; the state must not change meanwhile. */
+    fun of(state: State, number: Long): ByteArray {
+        val p = state.population
+        val shown = shown(state)
+        val bodies = shown.indexOfFirst { state.isParticle(it) }.let { if (it < 0) shown.size else it }
+        val spans = List(AXES) { span(state, it, shown) }
+        val origin = DoubleArray(AXES) { spans[it].middle }
+        val head = head(state, number, shown.size, bodies, spans).toByteArray()
+        val buffer = ByteBuffer.allocate(Int.SIZE_BYTES + head.size + shown.size * BYTES_A_SPHERE)
+        buffer.order(ByteOrder.LITTLE_ENDIAN).putInt(head.size).put(head)
+        for (axis in 0 until AXES) {
+            val place = p.position(axis)
+            for (k in shown) buffer.putFloat((place[k] - origin[axis]).toFloat())
+        }
+        for (k in shown) buffer.putFloat(p.radius[k].toFloat())
+        for (k in shown) buffer.putFloat((speed(state, k) / scale.speed).toFloat())
+        for (k in shown) buffer.put(if (p.hasMaterials) p.material[k].toInt().toByte() else 0)
+        return buffer.array()
+    }
+
+    private fun speed(state: State, k: Int): Double {
+        val x = state.againstFlow(k, 0)
+        val y = state.againstFlow(k, 1)
+        val z = state.againstFlow(k, 2)
+        return sqrt(x * x + y * y + z * z)
+    }
+
+    /** Indices: all bodies, then particles. */
+    private fun shown(state: State): IntArray {
+        val p = state.population
+        val stride = (p.size + most - 1) / most
+        val indices = IntArray(p.size)
+        var count = 0
+        for (k in 0 until p.size) if (!state.isParticle(k)) indices[count++] = k
+        for (k in 0 until p.size) {
+            if (state.isParticle(k) &&
+                (stride <= 1 || p.id[k] % stride == 0)
+            ) {
+                indices[count++] = k
+            }
+        }
+        return indices.copyOf(count)
+    }
+
+    /** What there is to see along an axis. @property isClosed whether these are faces of the box */
+    private class Span(val low: Double, val high: Double, val isClosed: Boolean) {
+        val middle get() = low + (high - low) / 2
+    }
+
+    /** The box, or where its faces are open all spheres but the outermost in a thousand at each end. */
+    private fun span(state: State, axis: Int, shown: IntArray): Span {
+        val box = state.boundary.box
+        if (axis == 2 && state.dimensions == 2) return Span(0.0, 0.0, false)
+        if (state.boundary.contactFaces(axis) != ContactFaces.OPEN && box.length(axis).isFinite()) {
+            return Span(box.lower(axis), box.upper(axis), true)
+        }
+        if (shown.isEmpty()) return Span(-1.0, 1.0, false)
+        val p = state.population
+        val stride = shown.size / MOST_LOOKED_AT + 1
+        val places = DoubleArray((shown.size + stride - 1) / stride) { p.position(axis)[shown[it * stride]] }
+        places.sort()
+        val rare = (places.size * RARE).toInt()
+        val margin = shown.maxOf { p.radius[it] }
+        return Span(places[rare] - margin, places[places.size - 1 - rare] + margin, false)
+    }
+
+    private fun head(state: State, number: Long, count: Int, bodies: Int, spans: List<Span>): String {
+        fun numbers(of: (Span) -> Double) = JsonArray(spans.map { JsonPrimitive(of(it)) })
+        val tree = buildJsonObject {
+            put("number", JsonPrimitive(number))
+            put("time", JsonPrimitive(timeText(state.time)))
+            put("timeNumber", JsonPrimitive(state.time / scale.time))
+            put("about", JsonPrimitive(about(state, count, spans)))
+            put("count", JsonPrimitive(count))
+            put("bodies", JsonPrimitive(bodies))
+            put("dimensions", JsonPrimitive(state.dimensions))
+            put("origin", numbers { it.middle })
+            put("halves", numbers { (it.high - it.low) / 2 })
+            put("box", JsonArray(spans.map(::edges)))
+            put("flow", JsonPrimitive(flow(state)))
+            put("materials", JsonArray(state.population.materials.map { JsonPrimitive(it) }))
+            put(
+                "units",
+                buildJsonObject {
+                    put("length", JsonPrimitive(UnitNames.raised(scale.units.length)))
+                    put("speed", JsonPrimitive(UnitNames.raised(scale.speedName)))
+                },
+            )
+        }
+        val text = tree.toString()
+        // Columns of floats begin at a multiple of their size.
+        return text + " ".repeat((ALIGNED - text.toByteArray().size % ALIGNED) % ALIGNED)
+    }
+
+    private fun edges(span: Span): JsonElement =
+        if (span.isClosed) JsonArray(listOf(JsonPrimitive(span.low), JsonPrimitive(span.high))) else JsonNull
+
+    private fun timeText(time: Double): String =
+        "t = " + UnitNames.amount(short(time / scale.time), UnitNames.raised(scale.timeName))
+
+    private fun about(state: State, count: Int, spans: List<Span>): String {
+        val size = state.population.size
+        val all = spheres(size, Space.of(state.dimensions))
+        val edges = spans.take(state.dimensions).joinToString(" × ") {
+            if (it.isClosed) short(it.high - it.low) else "open"
+        }
+        val unit = if (spans.any { it.isClosed }) " ${UnitNames.raised(scale.units.length)}" else ""
+        return listOfNotNull(
+            if (count < size) "$count of $all" else all,
+            "box $edges$unit",
+            flow(state)?.let { "speeds are against the mean flow $it" },
+        ).joinToString(" · ")
+    }
+
+    /** The mean flow that is taken out of speeds; null where there is none. */
+    private fun flow(state: State): String? = state.boundary.meanFlow?.let {
+        "v_${"xyz"[it.flowAxis]} = ${short(it.rate)} ${"xyz"[it.normalAxis]} (rate in ${scale.units.rate})"
+    }
+
+    private fun short(number: Double): String = String.format(Locale.ROOT, "%.4g", number)
+
+    companion object {
+        /** 42 MB; what a browser draws as points. */
+        const val MOST = 2_000_000
+        private const val AXES = 3
+        private const val ALIGNED = 4
+        private const val BYTES_A_SPHERE = 5 * Float.SIZE_BYTES + 1
+        private const val RARE = 1e-3
+        private const val MOST_LOOKED_AT = 50_000
+    }
+}

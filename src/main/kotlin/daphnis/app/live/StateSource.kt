@@ -1,0 +1,52 @@
+package daphnis.app.live
+
+import daphnis.core.format.FormatException
+import daphnis.core.scenario.InputException
+import java.util.concurrent.TimeUnit
+import java.util.concurrent.locks.ReentrantLock
+import kotlin.concurrent.withLock
+
+/** States by their numbers, as [StateBytes] makes them. Any thread may call. */
+internal fun interface StateSource {
+    /**
+     * The state [number]; null where there is none.
+     *
+     * @throws FormatException when it is damaged
+     * @throws InputException when it cannot be read
+     */
+    fun bytes(number: Long): ByteArray?
+
+    companion object {
+        val NONE = StateSource { null }
+    }
+}
+
+/**
+ * The newest state of a run that goes on; those before it are given up. All fields are guarded by [lock].
+ */
+internal class NewestState : StateSource {
+    private val lock = ReentrantLock()
+    private val asked = lock.newCondition()
+    private var number = -1L
+    private var bytes: ByteArray? = null
+    private var isAskedFor = true
+
+    fun put(number: Long, bytes: ByteArray): Unit = lock.withLock {
+        this.number = number
+        this.bytes = bytes
+        isAskedFor = false
+    }
+
+    override fun bytes(number: Long): ByteArray? = lock.withLock {
+        if (number != this.number) return null
+        isAskedFor = true
+        asked.signalAll()
+        bytes
+    }
+
+    /** Waits until somebody has asked for it, at most [milliseconds]. */
+    fun awaitAsked(milliseconds: Long): Unit = lock.withLock {
+        var left = TimeUnit.MILLISECONDS.toNanos(milliseconds)
+        while (!isAskedFor && left > 0) left = asked.awaitNanos(left)
+    }
+}
