@@ -7,6 +7,7 @@ import daphnis.cluster.hosts.HostPort
 import daphnis.cluster.security.Secret
 import daphnis.core.FreePorts
 import daphnis.core.cluster.FleetException
+import daphnis.core.run.Version
 import org.junit.jupiter.api.AfterEach
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
