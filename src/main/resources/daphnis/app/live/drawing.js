@@ -4,6 +4,8 @@ import * as shaders from "./shaders.js";
 
 const PLACES = ["x", "y", "z", "radius"]; // attributes 0 to 3; 4 is the number that the colour stands for
 const VALUE = 4;
+const FEW_SPHERES = 5000; // so many are drawn as squares, whatever their size
+const LARGEST_DOT = 20; // radius in pixels
 
 export class Drawing {
     /** Throws an Error where there is no WebGL 2. */
@@ -19,6 +21,7 @@ export class Drawing {
     start() {
         const gl = this.gl;
         this.spheres = program(gl, shaders.SPHERE_VERTEX, shaders.SPHERE_FRAGMENT);
+        this.dots = program(gl, shaders.DOT_VERTEX, shaders.DOT_FRAGMENT);
         this.points = program(gl, shaders.POINT_VERTEX, shaders.POINT_FRAGMENT);
         this.lines = program(gl, shaders.LINE_VERTEX, shaders.LINE_FRAGMENT);
         this.columns = {};
@@ -41,6 +44,7 @@ export class Drawing {
         }
         this.count = state.head.count;
         this.bodies = state.head.bodies;
+        this.largest = largestOf(state);
         this.isFlat = state.head.dimensions === 2;
         const lines = edgesOf(state);
         this.edgeCount = lines.length / 3;
@@ -72,7 +76,10 @@ export class Drawing {
         const focus = (seen.focus * height) / 2;
         this.some(this.spheres, seen, focus, paint, theme, 0, this.bodies, true);
         const rest = this.count - this.bodies;
-        this.some(asPoints ? this.points : this.spheres, seen, focus, paint, theme, this.bodies, rest, false);
+        // The largest of the particles, where the middle of the picture is.
+        const pixels = (this.largest * seen.scale * focus) / camera.distance();
+        const balls = rest > FEW_SPHERES && pixels < LARGEST_DOT ? this.dots : this.spheres;
+        this.some(asPoints ? this.points : balls, seen, focus, paint, theme, this.bodies, rest, false);
         gl.bindVertexArray(null);
     }
 
@@ -103,12 +110,13 @@ export class Drawing {
         gl.uniform1f(of.uFocus, focus);
         gl.uniform1i(of.uIsFlat, this.isFlat ? 1 : 0);
         gl.uniform1i(of.uIsBody, isBody ? 1 : 0);
+        gl.uniform2f(of.uPixels ?? null, this.canvas.width, this.canvas.height);
         gl.uniform3fv(of.uBody, theme.body);
         gl.uniform3fv(of.uMap, paint.map.flat());
         gl.uniform2f(of.uRange, paint.low, paint.high);
         gl.uniform1i(of.uKind, paint.kind);
         // A square has four corners of the same sphere; a point is one.
-        const divisor = of === this.points ? 0 : 1;
+        const divisor = of === this.spheres ? 1 : 0;
         [...PLACES, paint.column].forEach((name, k) => {
             const isByte = name === "material";
             gl.bindBuffer(gl.ARRAY_BUFFER, this.columns[name]);
@@ -120,6 +128,12 @@ export class Drawing {
         else gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, count);
         gl.disableVertexAttribArray(VALUE);
     }
+}
+
+function largestOf(state) {
+    let largest = 0;
+    for (let k = state.head.bodies; k < state.head.count; k++) largest = Math.max(largest, state.radius[k]);
+    return largest;
 }
 
 /** Edges of the box, two points each: along closed axes, at the faces of the others or in their middle. */

@@ -68,36 +68,72 @@ void main() {
 }
 `;
 
-export const SPHERE_FRAGMENT = HEAD + `
-in vec3 vPoint;
-flat in vec3 vCentre;
-flat in float vRadius;
-flat in vec3 vColour;
-flat in int vIsSmall;
+/** The colour and depth of a pixel at which a line of sight, a unit vector, may meet a sphere. */
+const MEETING = `
 uniform mat4 uProjection;
 uniform bool uIsFlat;     // discs, which are seen from above
 out vec4 colour;
-void main() {
-    vec3 hit = vCentre;
+void meet(vec3 ray, vec3 centre, float radius, bool isSmall, vec3 paint) {
+    vec3 hit = centre;
     float light = 0.9;
-    if (vIsSmall == 0) {
-        // The nearest point of the line t * ray to the centre, by its offset from it: no difference of large numbers.
-        vec3 ray = normalize(vPoint);
-        vec3 foot = (uIsFlat ? ray * (vCentre.z / ray.z) : ray * dot(ray, vCentre)) - vCentre;
-        float inside = vRadius * vRadius - dot(foot, foot);
+    if (!isSmall) {
+        // The nearest point of the line to the centre, by its offset from it: no difference of large numbers.
+        vec3 foot = (uIsFlat ? ray * (centre.z / ray.z) : ray * dot(ray, centre)) - centre;
+        float inside = radius * radius - dot(foot, foot);
         if (inside < 0.0) discard;
         if (!uIsFlat) {
             vec3 offset = foot - ray * sqrt(inside);
-            hit = vCentre + offset;
-            vec3 normal = offset / vRadius;
+            hit = centre + offset;
+            vec3 normal = offset / radius;
             light = 0.38 + 0.62 * max(0.0, dot(normal, normalize(vec3(-0.35, 0.5, 0.8))));
-        } else if (inside < 0.16 * vRadius * vRadius) {
+        } else if (inside < 0.16 * radius * radius) {
             light = 0.6;
         }
     }
     vec4 clip = uProjection * vec4(hit, 1.0);
     gl_FragDepth = clamp(0.5 * clip.z / clip.w + 0.5, 0.0, 1.0);
-    colour = vec4(vColour * light, 1.0);
+    colour = vec4(paint * light, 1.0);
+}
+`;
+
+const SPHERE = `
+flat in vec3 vCentre;
+flat in float vRadius;
+flat in vec3 vColour;
+flat in int vIsSmall;
+`;
+
+export const SPHERE_FRAGMENT = HEAD + MEETING + SPHERE + `
+in vec3 vPoint;
+void main() { meet(normalize(vPoint), vCentre, vRadius, vIsSmall == 1, vColour); }
+`;
+
+// The same of a point in place of a square, for many spheres that are small in the picture: one corner each. A point
+// whose centre is outside the picture is not drawn, and devices have a largest one.
+export const DOT_VERTEX = HEAD + ATTRIBUTES + COLOUR + `
+flat out vec3 vCentre;
+flat out float vRadius;
+flat out vec3 vColour;
+flat out int vIsSmall;
+void main() {
+    vec3 c = (uView * vec4(vec3(aX, aY, aZ) * uScale, 1.0)).xyz;
+    float radius = aRadius * uScale;
+    vCentre = c;
+    vRadius = radius;
+    vColour = uIsBody ? uBody : colourOf(aValue);
+    gl_Position = uProjection * vec4(c, 1.0);
+    float z = max(-c.z, 1.001 * radius);
+    vIsSmall = radius * uFocus < z ? 1 : 0;
+    // Off the middle of the picture a sphere is an ellipse, longer by the distance over the depth.
+    gl_PointSize = vIsSmall == 1 ? 1.5 : 1.0 + 2.1 * radius * uFocus / sqrt(z * z - radius * radius) * length(c) / z;
+}
+`;
+
+export const DOT_FRAGMENT = HEAD + MEETING + SPHERE + `
+uniform vec2 uPixels;     // width and height of the picture
+void main() {
+    vec2 place = (2.0 * gl_FragCoord.xy / uPixels - 1.0) / vec2(uProjection[0][0], uProjection[1][1]);
+    meet(normalize(vec3(place, -1.0)), vCentre, vRadius, vIsSmall == 1, vColour);
 }
 `;
 
