@@ -15,6 +15,7 @@ import daphnis.analysis.occultation.LineOfSight
 import daphnis.analysis.report.Analysis
 import daphnis.analysis.report.AnalysisOptions
 import daphnis.analysis.report.AnalysisProgress
+import daphnis.app.printing.noticeInFlags
 import daphnis.app.printing.printLine
 import daphnis.app.printing.warn
 import daphnis.app.progress.ShownProgress

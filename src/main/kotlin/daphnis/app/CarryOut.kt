@@ -9,6 +9,7 @@ import daphnis.app.describe.counted
 import daphnis.app.describe.spheres
 import daphnis.app.live.LivePage
 import daphnis.app.printing.printLine
+import daphnis.app.printing.reasonInWords
 import daphnis.app.printing.warn
 import daphnis.app.progress.PlacementLine
 import daphnis.app.progress.Progress

@@ -16,6 +16,7 @@ import com.github.ajalt.clikt.parameters.options.option
 import com.github.ajalt.clikt.parameters.options.versionOption
 import com.github.ajalt.mordant.terminal.Terminal
 import daphnis.app.live.joinedLive
+import daphnis.app.printing.DEBUG
 import daphnis.app.printing.flushPrinted
 import daphnis.app.printing.showTrace
 import daphnis.core.run.Version

@@ -16,6 +16,7 @@ import daphnis.analysis.sweep.SweepTables
 import daphnis.analysis.sweep.SweepText
 import daphnis.app.printing.printLine
 import daphnis.app.printing.printLines
+import daphnis.app.printing.reasonInWords
 import daphnis.app.printing.warn
 import daphnis.app.sweep.KeyLabel
 import daphnis.app.sweep.PlannedRun

@@ -1,5 +1,6 @@
 package daphnis.app
 
+import daphnis.app.printing.noticeInFlags
 import daphnis.core.boundary.Open
 import daphnis.core.format.H5md
 import daphnis.core.format.Snapshot

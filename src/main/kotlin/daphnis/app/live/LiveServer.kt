@@ -2,7 +2,7 @@ package daphnis.app.live
 
 import com.sun.net.httpserver.HttpExchange
 import com.sun.net.httpserver.HttpServer
-import daphnis.app.reasonInWords
+import daphnis.app.printing.reasonInWords
 import daphnis.core.format.reasonOf
 import daphnis.core.scenario.InputException
 import java.io.IOException

@@ -5,7 +5,7 @@ import daphnis.analysis.plot.PlotScale
 import daphnis.analysis.plot.RunPlot
 import daphnis.analysis.table.UnitNames
 import daphnis.app.describe.counted
-import daphnis.app.reasonInWords
+import daphnis.app.printing.reasonInWords
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.ContactFaces
