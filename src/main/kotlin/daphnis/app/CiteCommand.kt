@@ -9,6 +9,9 @@ import daphnis.app.printing.printLine
 import daphnis.app.printing.printLines
 import daphnis.core.run.Run
 import daphnis.core.run.Version
+import daphnis.core.scenario.InputException
+import java.nio.file.Files
+import java.nio.file.LinkOption
 
 /** `daphnis cite`: what a paper says of a run. */
 class CiteCommand : CliktCommand(name = "cite") {
@@ -27,6 +30,9 @@ class CiteCommand : CliktCommand(name = "cite") {
         val scenario = RunCitation.scenarioOf(recorded)
         val summary = RunCitation.finished(recorded)
         record?.let { pathOf(it, "--record") }?.let { path ->
+            if (Files.exists(path, LinkOption.NOFOLLOW_LINKS)) {
+                throw InputException("--record", null, "$path is there already; give another name, or remove it")
+            }
             val citation = RunCitation.of(recorded)
             writing(path.toAbsolutePath().parent) { citation.write(path) }
         }

@@ -12,6 +12,7 @@ import daphnis.core.run.Run
 import daphnis.core.run.RunDirectory
 import daphnis.core.run.Summary
 import daphnis.core.run.Version
+import daphnis.core.scenario.InputException
 import daphnis.core.scenario.Scenario
 import java.nio.file.Files
 import java.nio.file.Path
@@ -55,15 +56,25 @@ class ReproduceCommand : CliktCommand(name = "reproduce") {
             scenario = citation.scenario(source, settings)
         }
         val directory =
-            out?.let { pathOf(it, "--out") } ?: freeDirectory(Path.of("runs").resolve(directoryName(scenario.name)))
+            out?.let { free(pathOf(it, "--out")) }
+                ?: freeDirectory(Path.of("runs").resolve(directoryName(scenario.name)))
         carryOut(quiet) { Run.start(scenario, source, directory, force = false, allEngines) }
         compare(was, Summary.read(RunDirectory(directory).summary))
+    }
+
+    /** Nothing is replaced: what is done again is something else than what is there. */
+    private fun free(directory: Path): Path {
+        val there = RunDirectory(directory)
+        if (Files.exists(there.scenario) || Files.exists(there.program)) {
+            throw InputException("--out", null, "$directory holds a run already; give another directory")
+        }
+        return directory
     }
 
     private class End(val digest: String, val steps: Long, val version: String)
 
     private fun compare(was: End, summary: Summary) {
-        if (was.digest == summary.stateDigest) {
+        if (was.digest == summary.stateDigest && was.steps == summary.steps) {
             printLine("reproduced: the digest is that of the run with daphnis ${was.version}")
             return
         }

@@ -45,6 +45,7 @@ internal data class RunCitation(
     companion object {
         private const val LARGEST = 16 shl 20
         private val JSON = Json { prettyPrint = true }
+        private val DIGEST = Regex("[0-9a-f]{64}")
 
         /**
          * That of a finished [run].
@@ -74,12 +75,14 @@ internal data class RunCitation(
         fun finished(run: RecordedRun): Summary = run.summary()?.takeIf { it.finished } ?: throw InputException(
             "${run.directory.path}",
             null,
-            "has not finished; continue with: ${Version.command} resume",
+            "has not finished; continue with: ${Version.command} resume ${run.directory.path}",
         )
 
         /** @throws FormatException when [path] cannot be read or is none */
         fun read(path: Path): RunCitation = try {
-            JSON.decodeFromString(serializer(), PackedFile.text(path, LARGEST))
+            val citation = JSON.decodeFromString(serializer(), PackedFile.text(path, LARGEST))
+            require(DIGEST.matches(citation.stateDigest)) { "stateDigest is no digest of 64 hexadecimal digits" }
+            citation
         } catch (e: CharacterCodingException) {
             throw FormatException("$path: is not UTF-8 text")
         } catch (e: IOException) {

@@ -60,6 +60,19 @@ class CiteTest {
     }
 
     @Test
+    fun `the number of steps counts, and nothing is replaced`() {
+        run("gas", "--steps", "5")
+        assertDone(daphnis("cite", at("gas"), "--record", at("gas.json")))
+        assertRefused(daphnis("cite", at("gas"), "--record", at("gas.json")), "--record", "is there already")
+        assertRefused(daphnis("reproduce", at("gas.json"), "--out", at("gas")), "--out", "holds a run already")
+        val text = Files.readString(home.resolve("gas.json"))
+        Files.writeString(home.resolve("steps.json"), text.replace("\"steps\": 5", "\"steps\": 6"))
+        assertEquals(1, daphnis("reproduce", at("steps.json"), "--out", at("again"), "--quiet").code)
+        Files.writeString(home.resolve("digest.json"), text.replace(Regex("\"[0-9a-f]{64}\""), "\"f00\""))
+        assertRefused(daphnis("reproduce", at("digest.json")), "digest.json", "stateDigest is no digest")
+    }
+
+    @Test
     fun `what cannot be cited or done again is refused`() {
         assertRefused(daphnis("cite", at("nothing")), "nothing")
         assertRefused(daphnis("reproduce", at("nothing")), "nothing", "cannot be read")
@@ -72,7 +85,7 @@ class CiteTest {
         assertDone(daphnis("reproduce", at("from"), "--out", at("from again"), "--quiet"))
         val summary = home.resolve("gas/summary.json")
         Files.writeString(summary, Files.readString(summary).replace("\"finished\": true", "\"finished\": false"))
-        assertRefused(daphnis("cite", at("gas")), "has not finished")
+        assertRefused(daphnis("cite", at("gas")), "has not finished", "resume ${at("gas")}")
         assertRefused(daphnis("reproduce", at("gas")), "has not finished")
     }
 }
