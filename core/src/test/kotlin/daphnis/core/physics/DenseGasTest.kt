@@ -86,7 +86,10 @@ class DenseGasTest {
             while (statistics.count < begun + collisions) it.advance()
             // Of N − 1 free spheres.
             val t = temperature(it.population) * COUNT / (COUNT - 1.0)
-            return Seen(1 + (trace(statistics) - before) / (3 * COUNT * t * (it.time - start)), (walk?.diffusion ?: 0.0) / sqrt(t))
+            return Seen(
+                1 + (trace(statistics) - before) / (3 * COUNT * t * (it.time - start)),
+                (walk?.diffusion ?: 0.0) / sqrt(t),
+            )
         }
     }
 

@@ -86,7 +86,18 @@ class ElasticGasTest {
             val met = statistics.count - before[0]
             assertPhysics("ν, φ = ${s.filling}", s.rate, 2.0 * met / count / elapsed / sqrt(t), bound)
             val virial = trace(statistics) - before[1]
-            assertPhysics("Z, φ = ${s.filling}", s.z, 1 + virial / (3 * count * t * elapsed), if (s.filling < 0.05) bound / 4 else bound)
+            assertPhysics(
+                "Z, φ = ${s.filling}",
+                s.z,
+                1 + virial / (3 * count * t * elapsed),
+                if (s.filling <
+                    0.05
+                ) {
+                    bound / 4
+                } else {
+                    bound
+                },
+            )
             assertPhysics(
                 "⟨v_n⟩/√(πT), φ = ${s.filling}",
                 1.0,

@@ -85,7 +85,11 @@ class HeatStatisticsTest {
     @Test
     fun `all engines write the same heat, and a gas that is not elastic writes none`(@TempDir home: Path) {
         fun rows(name: String, vararg settings: String): List<String> {
-            val scenario = ScenarioJson.parse(RowCase.AT_REST.text, "test", listOf("output.transportEvery=1") + settings)
+            val scenario = ScenarioJson.parse(
+                RowCase.AT_REST.text,
+                "test",
+                listOf("output.transportEvery=1") + settings,
+            )
             Run.start(scenario, "test", home.resolve(name)).use { it.execute() }
             return Files.readAllLines(home.resolve(name).resolve("transport.csv"))
         }
