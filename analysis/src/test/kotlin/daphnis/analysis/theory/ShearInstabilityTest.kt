@@ -58,7 +58,7 @@ class ShearInstabilityTest {
         }
     }
 
-    /** Numbers of the formulas of Lutsko 2005 and of van Noije & Ernst, in another arrangement than that of the code. */
+    /** Numbers of the formulas of Lutsko 2005 and of van Noije & Ernst, arranged in another way than in the code. */
     @Test
     fun `inelastic discs have their own cumulant, rate and viscosity`() {
         assertEquals(-0.0219393, coolingCumulant(0.8, 2), 1e-7)
