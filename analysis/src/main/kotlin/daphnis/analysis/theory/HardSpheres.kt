@@ -39,6 +39,14 @@ public object HardSpheres {
         return (1 - filling / 2) / (free * free * free)
     }
 
+    /** S(0⁺) = d(nkT)/dp of the fluid that goes with [carnahanStarling]. */
+    @JvmStatic
+    public fun carnahanStarlingLongWaveLimit(filling: Double): Double {
+        val free = (1 - filling) * (1 - filling)
+        val two = 1 + 2 * filling
+        return free * free / (two * two + filling * filling * filling * (filling - 4))
+    }
+
     /** Of the fluid, by Kolafa (in Boublík & Nezbeda 1986, Collect. Czech. Chem. Commun. 51, 2301, eq. 4.46). */
     @JvmStatic
     public fun kolafa(filling: Double): Double {

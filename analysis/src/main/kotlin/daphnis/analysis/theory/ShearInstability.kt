@@ -33,31 +33,7 @@ public object ShearInstability {
         // η₀ σ^{d−1}/√(mT), and n η₀ of the frequency nT/η₀.
         val half = if (d == 2) 1.0 else sqrt(PI) / 2
         val dilute = (d + 2) / 8.0 * half * PI.pow(-(d - 1) / 2.0)
-        val ratio = coolingRate(restitution, filling, d) / (2 * viscosity(restitution, filling, d))
-        return 2 * PI * dilute / (number * sqrt(ratio))
-    }
-
-    /** ζ in units of nT/η₀. */
-    private fun coolingRate(e: Double, filling: Double, d: Int) =
-        (d + 2) / (4.0 * d) * contact(filling, d) * (1 - e * e) * (1 + 3.0 / 32 * excess(e, d))
-
-    /** η in units of η₀, that of a dilute elastic gas. */
-    private fun viscosity(e: Double, filling: Double, d: Int): Double {
-        val close = filling * contact(filling, d)
-        val c = excess(e, d)
-        val frequency = 3.0 / (4 * d) * contact(filling, d) * (1 - e + 2.0 / 3 * d) * (1 + e) * (1 - c / 64)
-        val two = 2.0.pow(d - 2)
-        val carried = (1 - two / (d + 2) * (1 + e) * (1 - 3 * e) * close) / (frequency - coolingRate(e, filling, d) / 2)
-        val bulk = (if (d == 2) 8 / PI else 128 / (5 * PI)) * filling * close * (1 + e) * (1 - c / 32)
-        return carried * (1 + 2 * two / (d + 2) * close * (1 + e)) + d / (d + 2.0) * bulk
-    }
-
-    /** Twice a₂ of the velocities. */
-    private fun excess(e: Double, d: Int) =
-        32 * (1 - e) * (1 - 2 * e * e) / (9 + 24 * d - e * (41 - 8 * d) + 30 * (1 - e) * e * e)
-
-    private fun contact(filling: Double, d: Int): Double {
-        val void = 1 - filling
-        return if (d == 2) (1 - 7 * filling / 16) / (void * void) else (1 - filling / 2) / (void * void * void)
+        val gas = GranularCoefficients(restitution, filling, d)
+        return 2 * PI * dilute / (number * sqrt(gas.cooling / (2 * gas.viscosity)))
     }
 }

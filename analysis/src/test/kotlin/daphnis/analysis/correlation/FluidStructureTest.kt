@@ -4,7 +4,9 @@ import daphnis.analysis.insitu.Averages
 import daphnis.analysis.insitu.Measure
 import daphnis.analysis.insitu.SizeGroups
 import daphnis.analysis.insitu.SphereGroups
-import daphnis.analysis.theory.HardMixture
+import daphnis.analysis.theory.HardDiscs
+import daphnis.analysis.theory.HardSphereMixture
+import daphnis.analysis.theory.HardSpheres
 import daphnis.analysis.theory.PercusYevick
 import daphnis.analysis.uniform
 import daphnis.core.Output
@@ -56,8 +58,8 @@ class FluidStructureTest {
     @Test
     fun `S(k) is that of Percus, Yevick, Verlet and Weis, S(0) that of Carnahan and Starling, and errors hold`() {
         val filling = 0.3
-        val known = (1 - filling).pow(4) / ((1 + 2 * filling).pow(2) + filling.pow(3) * (filling - 4))
-        val contact = (1 - filling / 2) / (1 - filling).pow(3)
+        val known = HardSpheres.carnahanStarlingLongWaveLimit(filling)
+        val contact = HardSpheres.carnahanStarlingContact(filling)
         val factor = SpatialStructureFactor(10.0, 20)
         val seeds = if (isFull) 60 else 1
         val (zeros, touching) = List(2) { ArrayList<Pair<Double, Double>>() }
@@ -98,23 +100,21 @@ class FluidStructureTest {
         val contact = ContactValues(groups)
         val found = averages(listOf(contact), 60, settings)[0]
         val volume = 400 * radii.sumOf { 4 * PI / 3 * it.pow(3) } / 2 / 0.3
-        check(found, contact) { a, b ->
-            HardMixture.contactOfSpheres(a, b, doubleArrayOf(0.6, 1.0), DoubleArray(2) { 200 / volume })
-        }
+        val diameters = doubleArrayOf(0.6, 1.0)
+        check(found, contact, HardSphereMixture(diameters, DoubleArray(2) { 200 / volume })::contactValue)
         val area = 400 * radii.sumOf { PI * it * it } / 2 / 0.4
         val edge = Math.sqrt(area)
         val discs = settings.drop(2) + listOf("dimensions=2", "box.lengths=[$edge,$edge]", settings[0])
         check(averages(listOf(contact), 60, discs)[0], contact) { a, b ->
-            HardMixture.contactOfDiscs(a, b, doubleArrayOf(0.6, 1.0), DoubleArray(2) { 200 / area })
+            HardDiscs.contactValue(a, b, diameters, DoubleArray(2) { 200 / area })
         }
     }
 
-    private fun check(found: Averages, contact: ContactValues, theory: (Double, Double) -> Double) {
-        val diameters = doubleArrayOf(0.6, 1.0)
+    private fun check(found: Averages, contact: ContactValues, theory: (Int, Int) -> Double) {
         for (a in 0..1) {
             for (b in a..1) {
                 val average = found.average(contact.at(b, a))
-                val known = theory(diameters[a], diameters[b])
+                val known = theory(a, b)
                 assertEquals(known, average.mean, 4 * average.error + 0.02 * known) { "$a $b ± ${average.error}" }
                 assertTrue(average.error < 0.1 * known)
             }

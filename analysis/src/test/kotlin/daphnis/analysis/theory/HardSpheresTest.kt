@@ -69,7 +69,55 @@ class HardSpheresTest {
         for (bad in listOf(doubleArrayOf(), doubleArrayOf(0.0), doubleArrayOf(2.0), doubleArrayOf(Double.NaN))) {
             assertThrows(IllegalArgumentException::class.java) { HardSphereMixture(one, bad) }
         }
-        assertThrows(IllegalArgumentException::class.java) { HardSphereMixture(doubleArrayOf(0.0), one) }
+        assertThrows(IllegalArgumentException::class.java) { HardSphereMixture(doubleArrayOf(-0.1), one) }
+        assertThrows(IllegalArgumentException::class.java) { HardDiscs.contactValue(0, 0, one, doubleArrayOf()) }
+        assertThrows(IllegalArgumentException::class.java) { HardDiscs.contactValue(0, 0, one, doubleArrayOf(1.28)) }
+    }
+
+    @Test
+    fun `points beside spheres or discs see the void that these leave`() {
+        val diameters = doubleArrayOf(0.0, 1.0)
+        val mixture = HardSphereMixture(diameters, doubleArrayOf(5.0, 1.2 / PI))
+        for (i in 0..1) {
+            assertEquals(1 / 0.8, mixture.contactValue(0, i), 1e-12)
+            val disc = HardDiscs.contactValue(i, 0, diameters, doubleArrayOf(5.0, 0.8 / PI))
+            assertEquals(1 / 0.8, disc, 1e-12)
+        }
+    }
+
+    @Test
+    fun `S(0) and contact values are those of the equation of state`() {
+        fun check(z: (Double) -> Double, zero: (Double) -> Double, contact: (Double) -> Double, virial: Int) {
+            for (phi in listOf(0.05, 0.3, 0.49)) {
+                val h = 1e-4 * phi
+                val slope = ((phi + h) * z(phi + h) - (phi - h) * z(phi - h)) / (2 * h)
+                assertEquals(1.0, zero(phi) * slope, 1e-6) { "φ = $phi" }
+                assertEquals(z(phi), 1 + virial * phi * contact(phi), 1e-12 * z(phi)) { "φ = $phi" }
+            }
+        }
+        val spheres = HardSpheres
+        val discs = HardDiscs
+        check(
+            spheres::carnahanStarling,
+            spheres::carnahanStarlingLongWaveLimit,
+            spheres::carnahanStarlingContact,
+            virial = 4,
+        )
+        check(discs::henderson, discs::hendersonLongWaveLimit, discs::hendersonContact, virial = 2)
+    }
+
+    /** Half of the discs of each size, ν = 0.4, from the formula as the paper prints it. */
+    @Test
+    fun `a mixture of discs has the contact values of Jenkins and Mancini, and of one size those of Henderson`() {
+        val diameters = doubleArrayOf(0.6, 1.0)
+        // π/4 Σ n σ = 0.4 · 1.6/1.36, and 2 σ_i σ_j/(σ_i + σ_j) is 0.6 or 0.75.
+        val densities = DoubleArray(2) { 0.4 / (PI / 4 * 1.36) }
+        val known = DoubleArray(2) { 1 / 0.6 + 9.0 / 16 * (0.6 + 0.15 * it) * 0.4 * 1.6 / 1.36 / 0.36 }
+        assertEquals(known[0], HardDiscs.contactValue(0, 0, diameters, densities), 1e-12)
+        assertEquals(known[1], HardDiscs.contactValue(0, 1, diameters, densities), 1e-12)
+        assertEquals(known[1], HardDiscs.contactValue(1, 0, diameters, densities), 1e-12)
+        val same = HardDiscs.contactValue(0, 1, doubleArrayOf(2.0, 2.0), doubleArrayOf(0.1 / PI, 0.2 / PI))
+        assertEquals(HardDiscs.hendersonContact(0.3), same, 1e-12)
     }
 
     /** The virial coefficients are those of Clisby & McCoy 2006, J. Stat. Phys. 122, 15. */

@@ -3,7 +3,6 @@ package daphnis.analysis.theory
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Test
-import kotlin.math.PI
 import kotlin.math.pow
 import kotlin.math.sin
 
@@ -40,24 +39,5 @@ class PercusYevickTest {
         val peak = (600..800).maxOf { PercusYevick.structureFactor(it / 100.0, 0.494) }
         assertEquals(2.85, peak, 0.06)
         assertThrows(IllegalArgumentException::class.java) { PercusYevick.plain(1.0, 0.0) }
-    }
-
-    @Test
-    fun `contact values of one size are those of Carnahan and Starling and of Henderson`() {
-        val one = doubleArrayOf(2.0)
-        val n = 0.3 / (PI / 6 * 8)
-        assertEquals((1 - 0.15) / 0.7.pow(3), HardMixture.contactOfSpheres(2.0, 2.0, one, doubleArrayOf(n)), 1e-12)
-        val discs = HardMixture.contactOfDiscs(2.0, 2.0, one, doubleArrayOf(0.3 / PI))
-        assertEquals((1 - 7 * 0.3 / 16) / 0.7.pow(2), discs, 1e-12)
-    }
-
-    @Test
-    fun `a fluid of points beside spheres leaves them 1 over the void`() {
-        // A point sees (1 − φ) of space free.
-        val found = HardMixture.contactOfSpheres(0.0, 1.0, doubleArrayOf(0.0, 1.0), doubleArrayOf(5.0, 0.6 / PI * 2))
-        assertEquals(1 / 0.8, found, 1e-12)
-        assertThrows(IllegalArgumentException::class.java) {
-            HardMixture.contactOfDiscs(1.0, 1.0, doubleArrayOf(1.0), doubleArrayOf())
-        }
     }
 }

@@ -113,7 +113,7 @@ class ShapesTest {
                     Simulation(p, walls, forcing, FixedTimeStep(dt), listOf(UniformAcceleration(0.0, 0.0, -g)))
                 val before = energy(p, g)
                 while (forcing.counters.wallCollisions < 300 * p.size) simulation.advance()
-                assertEquals(before, energy(p, g), 1e-12 * 12 * 10) { "$shape, dt $dt" }
+                assertEquals(before, energy(p, g), 1e-12 * 12) { "$shape, dt $dt" }
             }
         }
     }

@@ -4,6 +4,8 @@ import daphnis.analysis.correlation.ContactValues
 import daphnis.analysis.correlation.LongWaveLimit
 import daphnis.analysis.insitu.Averages
 import daphnis.analysis.insitu.State
+import daphnis.analysis.theory.HardDiscs
+import daphnis.analysis.theory.HardSpheres
 
 /** Numbers of the structure of a fluid of equal elastic spheres or discs at rest: S(0⁺) and g at contact. */
 internal class FluidNumbers(private val study: Study) : Section {
@@ -43,11 +45,16 @@ internal class FluidNumbers(private val study: Study) : Section {
 
     private fun references(): Map<String, Reference> {
         if (filling > (if (isPlane) MOST_OF_DISCS else MOST_OF_SPHERES)) return emptyMap()
-        val z = if (isPlane) EquationOfState.ofDiscs(filling) else EquationOfState.ofSpheres(filling)
-        val contact = (z - 1) / ((if (isPlane) 2 else 4) * filling)
-        val step = filling * STEP
-        fun pressure(f: Double) = f * if (isPlane) EquationOfState.ofDiscs(f) else EquationOfState.ofSpheres(f)
-        val zero = 2 * step / (pressure(filling + step) - pressure(filling - step))
+        val contact =
+            if (isPlane) HardDiscs.hendersonContact(filling) else HardSpheres.carnahanStarlingContact(filling)
+        val zero =
+            if (isPlane) {
+                HardDiscs.hendersonLongWaveLimit(
+                    filling,
+                )
+            } else {
+                HardSpheres.carnahanStarlingLongWaveLimit(filling)
+            }
         val source = if (isPlane) EquationOfState.HENDERSON else EquationOfState.CARNAHAN
         return mapOf(
             "structure_factor_zero" to Reference(zero, ZERO_BOUND / 3 * zero, source),
@@ -58,7 +65,6 @@ internal class FluidNumbers(private val study: Study) : Section {
     private companion object {
         /** k σ up to which waves are long. */
         const val REACH = 2.5
-        const val STEP = 1e-4
         const val MOST_OF_SPHERES = 0.45
         const val MOST_OF_DISCS = 0.5
 

@@ -4,7 +4,8 @@ import daphnis.analysis.correlation.ContactValues
 import daphnis.analysis.correlation.PairCorrelation
 import daphnis.analysis.insitu.Averages
 import daphnis.analysis.insitu.State
-import daphnis.analysis.theory.HardMixture
+import daphnis.analysis.theory.HardDiscs
+import daphnis.analysis.theory.HardSphereMixture
 import daphnis.core.format.WholeFile
 import java.nio.file.Files
 
@@ -82,12 +83,10 @@ internal class MixturePart(private val study: Study, private val kinds: NamedGro
         val box = state.boundary.box
         val space = if (dimensions == 2) state.area else box.volume
         val densities = DoubleArray(radii.size) { radii[it].size / space }
-        val a = diameters[pair.first]
-        val b = diameters[pair.second]
         val value = if (dimensions == 2) {
-            HardMixture.contactOfDiscs(a, b, diameters, densities)
+            HardDiscs.contactValue(pair.first, pair.second, diameters, densities)
         } else {
-            HardMixture.contactOfSpheres(a, b, diameters, densities)
+            HardSphereMixture(diameters, densities).contactValue(pair.first, pair.second)
         }
         val source = if (dimensions == 2) "Jenkins & Mancini 1987" else "Boublík 1970, Mansoori & al. 1971"
         return Reference(value, BOUND / 3 * value, source)
