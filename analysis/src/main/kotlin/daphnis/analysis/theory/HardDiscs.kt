@@ -32,7 +32,7 @@ public object HardDiscs {
     /**
      * g_ij at contact of discs of the kinds [first] and [second] of a fluid of several sizes, by Jenkins & Mancini
      * 1987, J. Appl. Mech. 54, 27. For one size it is [hendersonContact]. For diameters 0.6 and 1 at an area fraction
-     * of 0.4 it is within 2 % of simulations; denser fluids and other ratios were not tried.
+     * of 0.4 it is within 2 % and four errors of a run; denser fluids and other ratios were not tried.
      *
      * @param diameters one of each kind; 0 is of points
      * @param densities how many of it are in a unit of area, 0 or more

@@ -6,8 +6,8 @@ import kotlin.math.PI
  * The fluid of hard spheres of several sizes by Boublík 1970, J. Chem. Phys. 53, 471, Grundke & Henderson 1972, Mol.
  * Phys. 24, 269, and Mansoori, Carnahan, Starling & Leland 1971, J. Chem. Phys. 54, 1523 (BMCSL). For one size it is
  * [HardSpheres.carnahanStarling], 0.3 % from the truth at most. Contact values of diameters 0.6 and 1 at a filling
- * factor of 0.3 are within 2 % of those of simulations; denser fluids and other ratios were not tried. Discs have
- * [HardDiscs.contactValue].
+ * factor of 0.3 are within 2 % and four errors of those of a run; denser fluids and other ratios were not tried. Discs
+ * have [HardDiscs.contactValue].
  *
  * @param diameters one of each kind; 0 is of points
  * @param densities how many of it are in a unit of volume, 0 or more
