@@ -3,8 +3,8 @@
 
     python3 tools/browser/view_test.py
 
-takes Chromium from the PATH, or CHROMIUM, and ./daphnis, or DAPHNIS; about a minute. Without a browser it says so and
-is done.
+takes Chromium from the PATH, or CHROMIUM, and ./daphnis, or DAPHNIS; about a minute, five on a machine that is busy.
+Without a browser it says so and is done.
 """
 
 import json

@@ -17,6 +17,7 @@ from .report import Report, analyze
 from .scenarios import Scenario, Units
 from .states import State, States
 from .tables import Tables, read_table
+from .view import View
 
 
 class Run:
@@ -179,6 +180,14 @@ class Run:
         if not (self.path / "report.html").is_file():
             raise InputError(f"{self.path}: has no report yet; analyze() writes it")
         return Report(self.path, [])
+
+    def view(self, height: int = 850) -> View:
+        """A page that shows the states in 3-D, as ``daphnis view`` does, in a frame of `height` pixels.
+
+        Of a run that goes on, new states show up as they are written. Raises InputError if there is no state.
+        """
+        with translated():
+            return View(java("daphnis.app.live.ViewPage").inNotebook(self._java), height)
 
     def resume(self, **options: Any) -> Run:
         """`daphnis.resume` of this run, with its options."""

@@ -144,7 +144,7 @@ internal class LiveOutput(private val run: Run, private val feed: Feed, private 
 
     /** Pictures end, and the run goes on. */
     private fun problem(e: Throwable) {
-        feed.put(Feed.PROBLEM, "no more pictures: ${e.message ?: e.javaClass.simpleName}; the run goes on")
+        feed.put(Feed.PROBLEM, "no more pictures: ${inWords(e)}; the run goes on")
     }
 
     override fun close() {

@@ -2,7 +2,6 @@ package daphnis.app.live
 
 import com.sun.net.httpserver.HttpExchange
 import com.sun.net.httpserver.HttpServer
-import daphnis.app.printing.reasonInWords
 import daphnis.core.format.reasonOf
 import daphnis.core.scenario.InputException
 import java.io.IOException
@@ -27,6 +26,7 @@ import java.util.concurrent.TimeUnit
  *
  * @param port to listen on, or 0 for any free one
  * @param option of the command line that gave it
+ * @param framedBy what may show the page in a frame of its own, in the words of a Content-Security-Policy
  * @throws InputException when the port cannot be had
  */
 internal class LiveServer(
@@ -35,6 +35,7 @@ internal class LiveServer(
     private val states: StateSource = StateSource.NONE,
     option: String = "--live",
     private val sendMilliseconds: Long = 60_000,
+    private val framedBy: String = "'none'",
 ) : AutoCloseable {
     private val server = try {
         if (System.getProperty(REQUEST_LIMIT) == null) System.setProperty(REQUEST_LIMIT, "$REQUEST_SECONDS")
@@ -131,7 +132,7 @@ internal class LiveServer(
     }
 
     private fun sendProblem(exchange: HttpExchange, e: Throwable) {
-        val words = reasonInWords(e).toByteArray()
+        val words = inWords(e).toByteArray()
         head(exchange, "text/plain; charset=utf-8")
         exchange.sendResponseHeaders(500, words.size.toLong())
         exchange.responseBody.write(words)
@@ -169,7 +170,7 @@ internal class LiveServer(
         exchange.responseHeaders["Cross-Origin-Resource-Policy"] = "same-origin"
         exchange.responseHeaders["Content-Security-Policy"] =
             "default-src 'none'; script-src 'self'; style-src 'self'; connect-src 'self'; img-src data:; " +
-            "frame-ancestors 'none'; base-uri 'none'; form-action 'none'"
+            "frame-ancestors $framedBy; base-uri 'none'; form-action 'none'"
     }
 
     /** Until the run ends, or nobody reads any more: then a write fails. */

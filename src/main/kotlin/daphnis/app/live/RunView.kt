@@ -5,7 +5,6 @@ import daphnis.analysis.plot.PlotScale
 import daphnis.analysis.plot.RunPlot
 import daphnis.analysis.table.UnitNames
 import daphnis.app.describe.counted
-import daphnis.app.printing.reasonInWords
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.ContactFaces
@@ -76,7 +75,7 @@ internal class RunView(private val run: RecordedRun) : StateSource {
             }
             renewSeries(feed)
         } catch (e: Exception) {
-            feed.put(Feed.PROBLEM, reasonInWords(e))
+            feed.put(Feed.PROBLEM, inWords(e))
         }
     }
 

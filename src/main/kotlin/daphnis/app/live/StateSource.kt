@@ -21,6 +21,9 @@ internal fun interface StateSource {
     }
 }
 
+/** Why there is no state, in one line. */
+internal fun inWords(e: Throwable): String = e.message ?: e.javaClass.simpleName
+
 /**
  * The newest state of a run that goes on; those before it are given up. All fields are guarded by [lock].
  */

@@ -6,6 +6,7 @@ import daphnis.app.daphnis
 import daphnis.core.run.Run
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.Timeout
@@ -113,6 +114,21 @@ class ViewPageTest {
         viewer.join()
         assertTrue("view: http://127.0.0.1:$port/" in out) { out }
         assertArrayEquals(before, Files.readAllBytes(path.resolve("summary.json")))
+    }
+
+    @Test
+    fun `only a page for a notebook may be framed, by pages of this machine, and ends when it is closed`() {
+        fun policy(page: ViewPage) = get(page.address).headers().firstValue("Content-Security-Policy").get()
+        val recorded = Run.open(run("cooling-gas", "--steps", "2"))
+        ViewPage(recorded, 0).use { assertTrue("frame-ancestors 'none';" in policy(it)) { policy(it) } }
+        val page = ViewPage.inNotebook(recorded)
+        page.use {
+            assertTrue("frame-ancestors http://localhost:* http://127.0.0.1:* vscode-webview:;" in policy(it)) {
+                policy(it)
+            }
+            assertEquals(200, get("${it.address}state/2").statusCode())
+        }
+        assertThrows(java.io.IOException::class.java) { get(page.address) }
     }
 
     @Test
