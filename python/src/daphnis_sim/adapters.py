@@ -41,7 +41,9 @@ def to_ase(state: State) -> Any:
         import ase
     except ImportError as e:
         raise InputError(f"to_ase: needs ASE: pip install ase ({e})") from None
-    atoms = ase.Atoms(
+    # ASE says no types.
+    make: Any = ase.Atoms
+    atoms = make(
         numbers=np.zeros(len(state), int),
         positions=state.position,
         masses=state.mass,
