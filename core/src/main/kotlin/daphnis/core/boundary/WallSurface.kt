@@ -108,6 +108,7 @@ public sealed class WallSurface(public val face: WallFace, public val roughness:
 
         init {
             requireSelf()
+            require(face.motion !is Piston) { "a piston is a face of the box, not a plane" }
             val across = (0 until AXES).sumOf { turning[it] * direction[it] }
             require(abs(across) <= ROUNDING * turning.sumOf { abs(it) }) { "belt is $belt; it must lie in the plane" }
         }

@@ -8,8 +8,10 @@ import kotlin.math.sqrt
 
 /**
  * Gives spheres that meet a wall the velocities of a gas of its temperature, see [daphnis.core.boundary.WallFace]. What
- * is drawn follows from the seed, the face, the id of the sphere and the time of the impact to the bit, so that it is
- * the same in every engine, on every node and in a run that is resumed.
+ * is drawn follows from the seed, the face, the id of the sphere, the time of the impact to the bit, and the
+ * [StepRows.streak] of the sphere, so that it is the same in every engine, on every node and in a run that is resumed.
+ * Without the streak a sphere in an acute corner, which another wall sends back at once, would get the same velocity
+ * again and again.
  */
 internal class ThermalWall(
     private val face: Int,
@@ -31,7 +33,7 @@ internal class ThermalWall(
     /** Draws the velocity of [slot] along the wall, and returns the speed with which it leaves. Several threads may call. */
     fun draw(rows: StepRows, slot: Int, time: Double): Double {
         val random = CounterRandom(seed)
-        random.draw(rows.id[slot], time, 0)
+        random.draw(rows.id[slot], time, rows.streak(slot) - 1)
         val sigma = sqrt(temperature / rows.mass[slot])
         val axis = face shr 1
         var word = 0
@@ -61,7 +63,7 @@ internal class ThermalWall(
         sz: Double,
     ): Double {
         val random = CounterRandom(seed)
-        random.draw(rows.id[slot], time, 0)
+        random.draw(rows.id[slot], time, rows.streak(slot) - 1)
         val sigma = sqrt(temperature / rows.mass[slot])
         val x = sigma * random.gaussian(0)
         val y = sigma * random.gaussian(1)

@@ -1,6 +1,7 @@
 package daphnis.core.initial
 
 import daphnis.core.boundary.Box
+import java.util.Locale
 import kotlin.math.ceil
 import kotlin.math.sqrt
 
@@ -23,7 +24,7 @@ public class LatticePlacement @JvmOverloads constructor(
         require(lattice.isPlane == box.space.isPlane) { "lattice $lattice does not fit into a box of ${box.space}" }
         val n = radii.size
         val largest = radii.max()
-        val wanted = if (vacancies == 0.0) n else Math.rint(n / (1 - vacancies)).coerceAtMost(MOST_SITES).toInt()
+        val wanted = wantedFor(n)
         val taken = if (wanted == n) null else drawn(n, wanted, random)
         val cells = bestCells(wanted, largest, box, walled)
             ?: throw PlacementException(
@@ -54,6 +55,32 @@ public class LatticePlacement @JvmOverloads constructor(
         }
         return Positions(p[0], p[1], p[2])
     }
+
+    /**
+     * One line about the lattice of [place] where cells are stretched by more than 5 %, or more than 1 % of the sites stay
+     * empty besides [vacancies]; otherwise null.
+     */
+    internal fun remark(radii: DoubleArray, box: Box, walled: BooleanArray): String? {
+        val wanted = wantedFor(radii.size)
+        val cells = bestCells(wanted, radii.max(), box, walled) ?: return null
+        val axes = box.space.dimensions
+        val width = List(axes) { width(it, cells[it], radii.max(), box, walled) }
+        val sites = cells[0].toLong() * cells[1] * cells[2] * lattice.basis.size
+        // Of an infinite width there is one layer, which nothing stretches.
+        val edges = List(axes) { width[it] / lattice.shape[it] }.filter { it.isFinite() }
+        // In the plane cells may lie along y as well.
+        val turned = List(axes) { width[it] * lattice.shape[it] }.takeIf { axes == 2 && edges.size == 2 } ?: edges
+        val stretch = listOf(edges, turned).minOf { (it.maxOrNull() ?: 1.0) / (it.minOrNull() ?: 1.0) }
+        val empty = sites - wanted
+        if (stretch <= MOST_STRETCH && empty <= MOST_EMPTY * sites) return null
+        val name = lattice.name.lowercase().replace('_', ' ')
+        val shape = if (edges.isEmpty()) "" else edges.joinToString(" : ") { "%.3g".format(Locale.ROOT, it / edges[0]) }
+        return "${cells.take(axes).joinToString(" × ")} cells of $name, stretched $shape; ${sites - radii.size} of " +
+            "$sites sites are empty" + if (wanted == radii.size) "" else ", ${wanted - radii.size} of them as asked"
+    }
+
+    private fun wantedFor(n: Int): Int =
+        if (vacancies == 0.0) n else Math.rint(n / (1 - vacancies)).coerceAtMost(MOST_SITES).toInt()
 
     /** [n] of the numbers from 0 until [all], each as likely, in order. */
     private fun drawn(n: Int, all: Int, random: SeededRandom): IntArray {
@@ -130,6 +157,10 @@ public class LatticePlacement @JvmOverloads constructor(
     private companion object {
         const val SPREAD = 3
         const val MOST_SITES = 1e9
+
+        /** What may be between edges, and be empty, before it is told. */
+        const val MOST_STRETCH = 1.05
+        const val MOST_EMPTY = 0.01
     }
 }
 

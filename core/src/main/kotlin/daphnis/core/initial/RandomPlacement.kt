@@ -112,11 +112,16 @@ public class RandomPlacement internal constructor(
         }
     }
 
-    private fun refuse(what: String, space: Space): Nothing = throw PlacementException(
-        "$what; random placement reaches a filling factor of about ${Crowding.reached(
-            space,
-        )}, use a lattice above that",
-    )
+    private fun refuse(what: String, space: Space): Nothing {
+        val reached = "random placement reaches a filling factor of about ${Crowding.reached(space)}"
+        // Lattices are of whole boxes.
+        val wayOut = if (surfaces.isEmpty()) {
+            "$reached, use a lattice above that"
+        } else {
+            "the room between the walls has no place for more; $reached, take fewer or smaller ones"
+        }
+        throw PlacementException("$what; $wayOut")
+    }
 
     /** How many spheres from [rank] on, at most [limit], share an octave. */
     private fun sameOctave(space: OccupiedSpace, rank: Int, limit: Int): Int {

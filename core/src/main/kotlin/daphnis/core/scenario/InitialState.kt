@@ -67,7 +67,10 @@ internal class InitialState(
             checkRadii(radii)
             if (placement is PlacementSpec.Lattice) {
                 check.must("bodies", scenario.bodies.isEmpty()) { "need random placement, which goes around them" }
-                lattice(placement).place(radii, room, walled(), stream(PLACES))
+                val lattice = lattice(placement)
+                val places = lattice.place(radii, room, walled(), stream(PLACES))
+                lattice.remark(radii, room, walled())?.let { notices += "placement: $it" }
+                places
             } else if (placement is PlacementSpec.Grown) {
                 check.must("bodies", scenario.bodies.isEmpty()) { "need random placement, which goes around them" }
                 val grown = GrownPlacement(scenario.engine.threadsAtStart)

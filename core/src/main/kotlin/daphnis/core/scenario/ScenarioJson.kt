@@ -8,6 +8,7 @@ import kotlinx.serialization.json.Json
 import kotlinx.serialization.json.JsonElement
 import kotlinx.serialization.json.JsonNull
 import kotlinx.serialization.json.JsonObject
+import kotlinx.serialization.json.JsonPrimitive
 import kotlinx.serialization.json.intOrNull
 import kotlinx.serialization.json.jsonObject
 import kotlinx.serialization.json.jsonPrimitive
@@ -37,7 +38,7 @@ public object ScenarioJson {
     @JvmStatic
     @JvmOverloads
     public fun parse(text: String, source: String, settings: List<String> = emptyList()): Scenario = try {
-        val tree = Settings.apply(withoutSchema(parseTree(text.removePrefix("\uFEFF"), source)), settings)
+        val tree = Settings.apply(withoutSchema(parseTree(text.removePrefix("\uFEFF"), source), source), settings)
         SchemaCheck(source).check(tree, Scenario.serializer().descriptor)
         checkOutput(tree, source)
         json.decodeFromJsonElement(Scenario.serializer(), tree)
@@ -113,8 +114,14 @@ public object ScenarioJson {
     }
 
     /** A file may name its [schema][ScenarioSchema], for editors. */
-    private fun withoutSchema(tree: JsonElement) =
-        if (tree is JsonObject && ScenarioSchema.KEY in tree) JsonObject(tree - ScenarioSchema.KEY) else tree
+    private fun withoutSchema(tree: JsonElement, source: String): JsonElement {
+        if (tree !is JsonObject) return tree
+        val schema = tree[ScenarioSchema.KEY] ?: return tree
+        if (schema !is JsonPrimitive || !schema.isString) {
+            throw InputException(source, ScenarioSchema.KEY, "is $schema; it must be text, the address of a schema")
+        }
+        return JsonObject(tree - ScenarioSchema.KEY)
+    }
 
     private fun malformed(e: SerializationException, text: String, source: String): InputException {
         if (text.isBlank()) {

@@ -7,6 +7,7 @@ import daphnis.core.boundary.ContactFaces
 import daphnis.core.boundary.ShearedPeriodic
 import daphnis.core.boundary.WallMotion
 import daphnis.core.boundary.leastRoom
+import daphnis.core.boundary.planesApart
 import daphnis.core.boundary.pistons
 import daphnis.core.boundary.roomAt
 import daphnis.core.force.mesh.MeshPoints
@@ -62,6 +63,7 @@ internal class StartCheck(
             if (boundary.contactFaces(axis) != ContactFaces.OPEN) checkInside(axis)
         }
         checkSurfaces()
+        population.radius.maxOrNull()?.let { checkPlanes(it) }
         if (isKnown) {
             checkSlide(timeStep)
             checkJumps(timeStep)
@@ -105,6 +107,16 @@ internal class StartCheck(
         checkPistons()
         val largest = population.radius.maxOrNull() ?: return
         for (axis in 0 until boundary.space.dimensions) checkRoom(axis, largest)
+        checkPlanes(largest)
+    }
+
+    private fun checkPlanes(largest: Double) {
+        for (walls in boundary.planesApart(scenario.startTime, end)) {
+            check.must(walls.first, walls.apart > 2 * largest) {
+                "comes as near to ${walls.second} as ${walls.apart}; that must exceed the diameter of the largest " +
+                    "sphere, ${2 * largest}"
+            }
+        }
     }
 
     /** A piston that is as light as a sphere would have to recoil within the step. */

@@ -150,7 +150,7 @@ public class WallFacesSpec @JvmOverloads constructor(
     public val lowerZ: WallFaceSpec? = null,
     public val upperZ: WallFaceSpec? = null,
 ) {
-    private val named: List<WallFaceSpec?> get() = listOf(lowerX, upperX, lowerY, upperY, lowerZ, upperZ)
+    internal val named: List<WallFaceSpec?> get() = listOf(lowerX, upperX, lowerY, upperY, lowerZ, upperZ)
 
     /** The faces for a reader, such as `, lowerZ sine of amplitude 1, frequency 2`. */
     internal fun inWords(number: DoubleFunction<String>): String {

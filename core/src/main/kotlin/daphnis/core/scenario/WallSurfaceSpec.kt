@@ -152,9 +152,15 @@ internal fun WallSurfaceSpec.surface(key: String, check: ValueCheck): WallSurfac
         is WallSurfaceSpec.Plane -> {
             val n = direction("normal", normal)
             vector("belt", belt).forEachIndexed { k, it -> check.speed("$key.belt[$k]", it) }
-            val across = (0 until AXES).sumOf { belt[it] * n[it] } / sqrt(n.sumOf { it * it })
+            // Scaled first, since squares of the smallest numbers are 0.
+            val scale = n.maxOf { abs(it) }
+            val across =
+                (0 until AXES).sumOf { belt[it] * (n[it] / scale) } / sqrt(n.sumOf { (it / scale) * (it / scale) })
             check.that("$key.belt", belt, abs(across) <= ROUNDING * belt.sumOf { abs(it) }) {
                 "must be along the plane; what moves along the normal is a motion"
+            }
+            check.must("$key.motion", motion !is WallMotionSpec.Piston) {
+                "is of a piston, which must be a face of the box; give it in ${WallFacesSpec.KEY}"
             }
             WallSurface.Plane(vector("point", point), n, face(motion), law, belt)
         }

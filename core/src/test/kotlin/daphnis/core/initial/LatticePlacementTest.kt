@@ -3,6 +3,7 @@ package daphnis.core.initial
 import daphnis.core.boundary.Box
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNotEquals
+import org.junit.jupiter.api.Assertions.assertNull
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
@@ -24,6 +25,19 @@ class LatticePlacementTest {
             }
             i != j && square < within * within
         }
+    }
+
+    @Test
+    fun `cells that are stretched and sites that stay empty are told`() {
+        val cube = Box.centred(10.0, 10.0, 10.0)
+        fun remark(lattice: Lattice, n: Int, vacancies: Double = 0.0, box: Box = cube) =
+            LatticePlacement(lattice, vacancies).remark(DoubleArray(n) { 0.1 }, box, BooleanArray(3))
+        assertNull(remark(Lattice.FACE_CENTRED_CUBIC, 1372))
+        assertNull(remark(Lattice.BODY_CENTRED_CUBIC, 1458))
+        assertNull(remark(Lattice.FACE_CENTRED_CUBIC, 1358, 0.01))
+        val told = remark(Lattice.BODY_CENTRED_CUBIC, 1372)!!
+        assertTrue("10 × 10 × 7 cells of body centred cubic, stretched 1.00 : 1.00 : 1.43; 28 of 1400 sites" in told) { told }
+        assertTrue("sites are empty" in remark(Lattice.FACE_CENTRED_CUBIC, 1372, 0.01)!!)
     }
 
     @Test

@@ -2,6 +2,7 @@ package daphnis.core.scenario
 
 import daphnis.core.run.Run
 import daphnis.core.run.RunDirectory
+import daphnis.core.run.RunOrigin
 import daphnis.core.run.Summary
 import daphnis.core.run.toStep
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -64,6 +65,25 @@ class PistonScenarioTest {
             Run.resume(directory).use { it.execute() }
             assertEquals(results(whole), results(directory)) { "from step $step" }
         }
+    }
+
+    @Test
+    fun `a start from a state tells that the piston begins as the scenario says, until that is set`() {
+        val inward = plain.replace("-9", "-40")
+        val whole = home.resolve("whole")
+        Run.start(scenario(inward, "output.snapshotEvery=20"), "test", whole).use { it.execute() }
+        val run = Run.open(whole)
+        fun told(n: Int, origin: RunOrigin, vararg settings: String) =
+            Run.start(scenario(inward, "until=5", *settings), "test", home.resolve("$n"), from = origin)
+                .use { it.notices.filter { notice -> "a piston is not part" in notice } }
+        val key = "boundary.faces.upperX.motion"
+        assertEquals(emptyList<String>(), told(1, RunOrigin(run, run.atStep(0))))
+        val notice = told(2, RunOrigin(run, run.last()), "$key.position=0.0")
+        assertTrue("piston_position_upper_x and piston_speed_upper_x" in notice.single()) { "$notice" }
+        assertTrue("$key.position (0.0)" in notice.single()) { "$notice" }
+        val last = Files.readAllLines(whole.resolve("series.csv")).map { it.split(',') }
+        val at = last.last()[last[0].indexOfFirst { it.startsWith("piston_position_upper_x") }]
+        assertEquals(emptyList<String>(), told(3, RunOrigin(run, run.last()), "$key.position=$at"))
     }
 
     @Test

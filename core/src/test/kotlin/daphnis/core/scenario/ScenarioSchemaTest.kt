@@ -10,6 +10,7 @@ import kotlinx.serialization.json.jsonArray
 import kotlinx.serialization.json.jsonObject
 import kotlinx.serialization.json.jsonPrimitive
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
@@ -53,6 +54,9 @@ class ScenarioSchemaTest {
     fun `a file may name its schema`() {
         val text = ScenarioJson.write(BuiltIn.scenario("cooling-gas"))
         val named = text.replaceFirst("{", "{ \"${ScenarioSchema.KEY}\": \"${ScenarioSchema.ADDRESS}\",")
+        val wrong = text.replaceFirst("{", "{ \"${ScenarioSchema.KEY}\": 7,")
+        val e = assertThrows(InputException::class.java) { ScenarioJson.parse(wrong, "test", emptyList()) }
+        assertEquals("test: ${ScenarioSchema.KEY}: is 7; it must be text, the address of a schema", e.message)
         assertEquals(text, ScenarioJson.write(ScenarioJson.parse(named, "mine")))
     }
 

@@ -96,7 +96,7 @@ class WallSurfaceSpecTest {
             "must exceed that of the largest sphere",
             text("""{"type": "cylinder", "axis": [0, 1, 0], "radius": 0.4}""", amount = "\"count\": 1"),
         )
-        assertSays("no free place", text("""{"type": "sphere", "radius": 0.9}""", amount = "\"count\": 2"))
+        assertSays("the room between the walls has no place for more", text("""{"type": "sphere", "radius": 0.9}""", amount = "\"count\": 2"))
     }
 
     @Test
@@ -104,6 +104,8 @@ class WallSurfaceSpecTest {
         fun plane(more: String) = text("""{"type": "plane", "point": [0, 0, 0], $more}""")
         assertSays("boundary.surfaces[0].normal", plane(""""normal": [0, 0, 0]"""))
         assertSays("must be three numbers", plane(""""normal": [0, 1]"""))
+        assertSays("is of a piston", plane(""""normal": [1, 0, 0], "motion": {"type": "piston", "mass": 40}"""))
+        assertSays("along the plane", plane(""""normal": [0, 0, 1e-300], "belt": [0, 0, 1]"""))
         assertSays("boundary.surfaces[0].belt", plane(""""normal": [0, 0, 1], "belt": [0, 0, 1]"""))
         assertSays("boundary.surfaces[0].restitution", plane(""""normal": [0, 0, 1], "restitution": 2"""))
         assertSays("give one of the two", plane(""""normal": [0, 0, 1], "restitution": 1, "temperature": 1"""))
@@ -122,6 +124,29 @@ class WallSurfaceSpecTest {
         )
         val crystal = """, "placement": {"type": "lattice", "lattice": "fcc"}"""
         assertSays("placement: must be random", text(drum, more = crystal))
+    }
+
+    @Test
+    fun `the smallest normal is a direction`() {
+        val down = """{"type": "plane", "point": [0, 0, 2], "normal": [0, 0, -1e-300], "belt": [1, 0, 0]}"""
+        assertEquals(3.0, setup(text(down)).boundary.surfaces[0].distance(0.0, 0.0, -1.0))
+    }
+
+    @Test
+    fun `planes that will come too near to a wall are refused`() {
+        fun plane(x: Double, n: Int, v: Double) =
+            """{"type": "plane", "point": [$x, 0, 0], "normal": [$n, 0, 0], "motion": {"type": "steady", "velocity": $v}}"""
+        fun run(surfaces: String, until: Double) = text(surfaces).replace("\"until\": 1", "\"until\": $until")
+        // 10 lengths from the other face, of which spheres need 1.
+        assertSays("boundary.surfaces[0]: comes as near to the wall upperX as 1", run(plane(-5.0, 1, 1.0), 9.0))
+        setup(run(plane(-5.0, 1, 1.0), 8.9))
+        assertSays("boundary.surfaces[0]: comes as near to the wall lowerX", run(plane(5.0, -1, 1.0), 9.0))
+        setup(run(plane(5.0, -1, -1.0), 9.0))
+        val two = plane(-4.0, 1, 1.0) + ", " + plane(4.0, -1, 1.0)
+        assertSays("boundary.surfaces[0]: comes as near to boundary.surfaces[1] as", run(two, 3.5))
+        setup(run(two, 3.4))
+        // Those that go the same way stay apart, though each alone would come too near to the other where that is now.
+        setup(run(plane(-4.0, 1, 0.5) + ", " + plane(1.0, -1, -0.5), 8.5))
     }
 
     @Test
