@@ -28,7 +28,13 @@ class CiteTest {
         run("gas", "--steps", "20", "--set", "engine.name=serial", "--set", "engine.threads=1")
         val said = assertDone(daphnis("cite", at("gas"), "--record", at("gas.json")))
         val digest = Summary.read(home.resolve("gas/summary.json")).stateDigest
-        for (part in listOf("scenario      cooling-gas", digest, "step 20", Version.text, "@software{daphnis,\n  author")) {
+        for (part in listOf(
+            "scenario      cooling-gas",
+            digest,
+            "step 20",
+            Version.text,
+            "@software{daphnis,\n  author",
+        )) {
             assertTrue(part in said) { said }
         }
         for (what in listOf("gas.json", "gas")) {

@@ -7,8 +7,8 @@ import daphnis.core.boundary.ContactFaces
 import daphnis.core.boundary.ShearedPeriodic
 import daphnis.core.boundary.WallMotion
 import daphnis.core.boundary.leastRoom
-import daphnis.core.boundary.planesApart
 import daphnis.core.boundary.pistons
+import daphnis.core.boundary.planesApart
 import daphnis.core.boundary.roomAt
 import daphnis.core.force.mesh.MeshPoints
 import daphnis.core.format.SnapshotCheck

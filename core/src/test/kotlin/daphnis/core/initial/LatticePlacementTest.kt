@@ -36,7 +36,9 @@ class LatticePlacementTest {
         assertNull(remark(Lattice.BODY_CENTRED_CUBIC, 1458))
         assertNull(remark(Lattice.FACE_CENTRED_CUBIC, 1358, 0.01))
         val told = remark(Lattice.BODY_CENTRED_CUBIC, 1372)!!
-        assertTrue("10 × 10 × 7 cells of body centred cubic, stretched 1.00 : 1.00 : 1.43; 28 of 1400 sites" in told) { told }
+        assertTrue("10 × 10 × 7 cells of body centred cubic, stretched 1.00 : 1.00 : 1.43; 28 of 1400 sites" in told) {
+            told
+        }
         assertTrue("sites are empty" in remark(Lattice.FACE_CENTRED_CUBIC, 1372, 0.01)!!)
     }
 

@@ -46,7 +46,12 @@ class ScenarioSchemaTest {
             "search" to JsonPrimitive("slow"),
             "forces" to JsonObject(emptyMap()),
         )
-        for ((key, value) in wrong) assertTrue(problems(JsonObject(good + (key to value)), schema, "").isNotEmpty(), key)
+        for ((key, value) in wrong) {
+            assertTrue(
+                problems(JsonObject(good + (key to value)), schema, "").isNotEmpty(),
+                key,
+            )
+        }
         assertTrue(problems(JsonObject(good - "box"), schema, "").isNotEmpty())
     }
 

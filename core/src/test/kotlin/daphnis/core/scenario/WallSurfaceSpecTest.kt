@@ -96,7 +96,10 @@ class WallSurfaceSpecTest {
             "must exceed that of the largest sphere",
             text("""{"type": "cylinder", "axis": [0, 1, 0], "radius": 0.4}""", amount = "\"count\": 1"),
         )
-        assertSays("the room between the walls has no place for more", text("""{"type": "sphere", "radius": 0.9}""", amount = "\"count\": 2"))
+        assertSays(
+            "the room between the walls has no place for more",
+            text("""{"type": "sphere", "radius": 0.9}""", amount = "\"count\": 2"),
+        )
     }
 
     @Test
