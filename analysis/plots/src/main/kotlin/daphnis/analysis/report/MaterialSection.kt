@@ -29,7 +29,7 @@ internal class MaterialSection(private val study: Study) : Section {
             study.last.isParticle(it) && groups!!.of(study.last, it) == number
         }
     }
-    private val pairs = if (there.size > 1 && there.size <= MOST) correlation() else null
+    private val pairs = if (there.size > 1 && there.size <= MOST && !study.isRoomCut) correlation() else null
     private val besides = pairs?.let { Averages(it) }
     private val motions = groups?.let { Averages(DispersionBySize(it)) }
     private val ratios = groups?.let { Averages(ratios(DispersionBySize(it))) }
