@@ -4,6 +4,9 @@ import daphnis.analysis.correlation.ContactValues
 import daphnis.analysis.correlation.LongWaveLimit
 import daphnis.analysis.insitu.Averages
 import daphnis.analysis.insitu.State
+import daphnis.analysis.theory.HardDiscs
+import daphnis.analysis.theory.HardSpheres
+import daphnis.core.scenario.PlacementSpec
 
 /** Numbers of the structure of a fluid of equal elastic spheres or discs at rest: S(0⁺) and g at contact. */
 internal class FluidNumbers(private val study: Study) : Section {
@@ -33,13 +36,17 @@ internal class FluidNumbers(private val study: Study) : Section {
 
     override fun numbers(): List<NumberRow> {
         val rows = NumberRows(references())
-        if (!averages[0].average(0).mean.isNaN()) {
+        if (isFluid() && !averages[0].average(0).mean.isNaN()) {
             val note = "n kT times the isothermal compressibility"
             rows.average("structure_factor_zero", "structure factor S(0⁺)", averages[0].average(0), "", note)
         }
         rows.average("contact_value", "pair correlation at contact g(σ)", averages[1].average(0), "")
         return rows.list()
     }
+
+    /** Whether it neither began as a crystal nor is as dense as one: a crystal's S(k) at small k is no compressibility. */
+    private fun isFluid() = study.physics?.placement !is PlacementSpec.Lattice &&
+        filling < (if (isPlane) HardDiscs.FREEZING else HardSpheres.FREEZING)
 
     private fun references(): Map<String, Reference> {
         if (filling > (if (isPlane) MOST_OF_DISCS else MOST_OF_SPHERES)) return emptyMap()

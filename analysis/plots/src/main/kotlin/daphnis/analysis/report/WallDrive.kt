@@ -22,8 +22,7 @@ internal object WallDrive {
     fun remark(study: Study): String =
         if (isFlowing(study.input.scenario?.boundary)) "the flow that walls drag along counts as random motion" else ""
 
-    private fun isDriving(face: WallFaceSpec?) =
-        face != null && (face.temperature != null || isMoving(face.motion))
+    private fun isDriving(face: WallFaceSpec?) = face != null && (face.temperature != null || isMoving(face.motion))
 
     private fun isDriving(surface: WallSurfaceSpec) =
         surface.temperature != null || isSliding(surface) || isMoving(motionOf(surface))

@@ -25,6 +25,7 @@ class SurfacesReportTest {
         val columns = Files.readAllLines(home.resolve("tables/profile-vertical.csv"))[0].split(',')
             .map { it.substringBefore(' ') }
         assertTrue("c_zz" in columns && columns.none { "density" in it || "depth" in it || "filling" in it })
+        assertTrue("Diffusion: no axis is periodic." in page)
         assertTrue("nothing replaces the energy" !in page)
         // Of temperature, a₂ and temperature over height.
         assertEquals(3, page.split("the flow that walls drag along counts as random motion").size - 1)
