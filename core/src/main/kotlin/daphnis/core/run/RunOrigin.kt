@@ -57,8 +57,8 @@ public class RunOrigin(public val run: RecordedRun, public val state: Snapshot) 
             val key = "${WallFacesSpec.KEY}.${WallFacesSpec.NAMES[face]}.motion"
             val column = WallFacesSpec.NAMES[face].let { "${it.dropLast(1)}_${it.last().lowercase()}" }
             if (!isLeft) return@mapNotNull null
-            "$name: a piston is not part of a state; it begins as in $key.position (${piston.position}) and .velocity " +
-                "(${piston.velocity}): set these to piston_position_$column and piston_speed_$column of series.csv"
+            "$name: a piston is not part of a state; it begins as in $key.position (${piston.position}) and " +
+                ".velocity (${piston.velocity}): set these to piston_position_$column and piston_speed_$column of series.csv"
         }
     }
 

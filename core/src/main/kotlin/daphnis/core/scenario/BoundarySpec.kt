@@ -129,11 +129,12 @@ public sealed interface BoundarySpec {
         }
 
         override fun inWords(number: DoubleFunction<String>, speed: DoubleFunction<String>): String =
-            "walls across $axes, restitution ${number.apply(restitution)}, " +
+            (if (axes.isEmpty()) ONLY_SURFACES else "walls across $axes") +
+                ", restitution ${number.apply(restitution)}, " +
                 "surfaces ${roughness?.inWords(axes, number) ?: "smooth"}" +
                 faces?.inWords(number).orEmpty() + surfaces.joinToString("") { "; ${it.inWords(number)}" }
 
-        override fun toString(): String = "walls with axes $axes"
+        override fun toString(): String = if (axes.isEmpty()) ONLY_SURFACES else "walls with axes $axes"
     }
 
     /** The paper's sheared periodic box. */
@@ -181,6 +182,7 @@ public sealed interface BoundarySpec {
 
     public companion object {
         private const val AXES = "xyz"
+        private const val ONLY_SURFACES = "walls of surfaces only"
 
         /** Names of the boundaries that drive a mean flow. */
         internal const val SHEARED: String = "lees-edwards, sheared-periodic or hill-sheet"

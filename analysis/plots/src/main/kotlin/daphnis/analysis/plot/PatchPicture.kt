@@ -26,22 +26,32 @@ internal class PatchPicture(private val state: State, private val lengthName: St
 
     private class Disc(val x: Double, val y: Double, val r: Double, val depth: Double)
 
-    /** What the bar in the pictures is long: both views are equally wide. */
-    val bar: String get() = barText(ScaleBar.length(minOf(box.length(1), box.length(0) * LONGEST)))
+    // A patch that is very long is shown in part, as wide as can be seen.
+    private val widthAbove = minOf(box.length(1), box.length(0) * LONGEST)
+
+    /** A drum is seen along its axis, along which it may be short. */
+    private val widthSide = minOf(box.length(1), maxOf(box.length(0), box.length(2)) * LONGEST)
+
+    /** What the bar in the picture from above is long. */
+    val bar: String get() = barText(ScaleBar.length(widthAbove))
+
+    /** The same of that from the side. */
+    val barSide: String get() = barText(ScaleBar.length(widthSide))
+
+    /** Whether the picture from above shows a part of the length only. */
+    val isPartAbove: Boolean get() = widthAbove < box.length(1)
+
+    /** The same of that from the side. */
+    val isPartSide: Boolean get() = widthSide < box.length(1)
 
     /** Writes `NAME.png` and `NAME.svg` into [directory]; the PNG. */
-    fun writeAbove(directory: Path, name: String): ByteArray {
-        val height = box.length(0)
-        // A patch that is very long is shown in part, as wide as can be seen.
-        val width = minOf(box.length(1), height * LONGEST)
-        return write(Window(box.lowerY, box.lowerY + width, box.lowerX, box.upperX, 0), directory, name)
-    }
+    fun writeAbove(directory: Path, name: String): ByteArray =
+        write(Window(box.lowerY, box.lowerY + widthAbove, box.lowerX, box.upperX, 0), directory, name)
 
     fun writeSide(directory: Path, name: String): ByteArray {
-        val width = minOf(box.length(1), box.length(0) * LONGEST)
         var extent = 0.0
         for (k in 0 until p.size) extent = maxOf(extent, Math.abs(p.z[k]) + p.radius[k])
-        return write(Window(box.lowerY, box.lowerY + width, -extent, extent, 2), directory, name)
+        return write(Window(box.lowerY, box.lowerY + widthSide, -extent, extent, 2), directory, name)
     }
 
     private fun write(window: Window, directory: Path, name: String): ByteArray {

@@ -75,7 +75,7 @@ public class Analysis @JvmOverloads constructor(
     public fun numbers(): List<ReportNumber> {
         val sections = sections(Sections.WITH_NUMBERS)
         return sections.numbers().map {
-            val isSteady = it.unknown != Unknown.UNSTEADY
+            val isSteady = it.unknown != Unknown.UNSTEADY && it.unknown != Unknown.ONE_STATE
             val isJudged = !(sections.isUnjudged && it.isAverage)
             ReportNumber(checkNotNull(it.key) { it.name }, it.name, it.unit, it.value, isSteady, isJudged)
         }
@@ -115,7 +115,7 @@ public class Analysis @JvmOverloads constructor(
 
     private fun subtitle(study: Study): String {
         val description = input.scenario?.description?.takeIf { it.isNotEmpty() && input.directory != null }
-        val what = description ?: ReportText.count(study.last.population.size, "sphere")
+        val what = description ?: ReportText.count(study.last.population.size, study.bodies.removeSuffix("s"))
         return "$what. Analysed with daphnis ${Version.text}."
     }
 

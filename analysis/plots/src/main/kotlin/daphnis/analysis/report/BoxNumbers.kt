@@ -39,7 +39,13 @@ internal class BoxNumbers(private val study: Study) {
             "granular temperature ⟨c²⟩/${space.dimensions}",
             motion.temperature,
             units.temperature,
-            if (isOld) "around the boundary's straight flow: transport.csv is of an older version" else "",
+            if (isOld) {
+                "around the boundary's straight flow: transport.csv is of an older version"
+            } else {
+                WallDrive.remark(
+                    study,
+                )
+            },
         )
         val further = SpinNumbers(study, rows, null)
         further.addCumulants()

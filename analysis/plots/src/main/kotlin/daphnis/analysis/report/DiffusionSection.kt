@@ -38,6 +38,7 @@ internal class DiffusionSection(private val study: Study) : Section {
         study.judgement.bars(" $ASSUMED").takeIf { it == " $ASSUMED" }.orEmpty()
     override val leftOut get() = when {
         study.isGrowing -> "spheres grow, so no time of the run is like another"
+        (0..2).none { last.periodic[it] } -> "no axis is periodic"
         coordinates.isEmpty() -> "no periodic axis is without a mean flow"
         chosen.size < MeanSquareDisplacement.FEWEST_TIMES ->
             "there ${if (chosen.size == 1) "is" else "are"} ${ReportText.count(chosen.size, "state")} from time " +

@@ -6,6 +6,7 @@ import daphnis.analysis.insitu.Averages
 import daphnis.analysis.insitu.State
 import daphnis.analysis.theory.HardDiscs
 import daphnis.analysis.theory.HardSpheres
+import daphnis.core.scenario.PlacementSpec
 
 /** Numbers of the structure of a fluid of equal elastic spheres or discs at rest: S(0⁺) and g at contact. */
 internal class FluidNumbers(private val study: Study) : Section {
@@ -35,7 +36,7 @@ internal class FluidNumbers(private val study: Study) : Section {
 
     override fun numbers(): List<NumberRow> {
         val rows = NumberRows(references())
-        if (!averages[0].average(0).mean.isNaN()) {
+        if (isFluid() && !averages[0].average(0).mean.isNaN()) {
             val note = "n kT times the isothermal compressibility"
             rows.average("structure_factor_zero", "structure factor S(0⁺)", averages[0].average(0), "", note)
         }
@@ -43,17 +44,17 @@ internal class FluidNumbers(private val study: Study) : Section {
         return rows.list()
     }
 
+    /** Neither begun as a crystal nor as dense as one: a crystal's S(k) at small k is no compressibility. */
+    private fun isFluid() = study.physics?.placement !is PlacementSpec.Lattice &&
+        filling < (if (isPlane) HardDiscs.FREEZING else HardSpheres.FREEZING)
+
     private fun references(): Map<String, Reference> {
         if (filling > (if (isPlane) MOST_OF_DISCS else MOST_OF_SPHERES)) return emptyMap()
         val contact =
             if (isPlane) HardDiscs.hendersonContact(filling) else HardSpheres.carnahanStarlingContact(filling)
         val zero =
-            if (isPlane) {
-                HardDiscs.hendersonLongWaveLimit(
-                    filling,
-                )
-            } else {
-                HardSpheres.carnahanStarlingLongWaveLimit(filling)
+            with(filling) {
+                if (isPlane) HardDiscs.hendersonLongWaveLimit(this) else HardSpheres.carnahanStarlingLongWaveLimit(this)
             }
         val source = if (isPlane) EquationOfState.HENDERSON else EquationOfState.CARNAHAN
         return mapOf(

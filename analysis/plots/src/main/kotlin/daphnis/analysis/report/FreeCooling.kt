@@ -62,13 +62,14 @@ internal object FreeCooling {
 
     /** An acceleration that is the same everywhere heats nothing; gravity of spheres can. */
     private fun isDriven(scenario: Scenario): Boolean = scenario.frame != null ||
-        isSheared(scenario.boundary) ||
+        isBoundaryDriving(scenario.boundary) ||
         scenario.forces.any { it !is ForceSpec.UniformAcceleration }
 
-    private fun isSheared(boundary: BoundarySpec): Boolean = when (boundary) {
+    private fun isBoundaryDriving(boundary: BoundarySpec): Boolean = when (boundary) {
         is BoundarySpec.LeesEdwards -> boundary.shearRate != 0.0
         is BoundarySpec.ShearedPeriodic -> boundary.velocityJump != 0.0
         is BoundarySpec.HillSheet -> true
-        is BoundarySpec.Open, is BoundarySpec.Periodic, is BoundarySpec.Walls -> false
+        is BoundarySpec.Walls -> WallDrive.isSeen(boundary)
+        is BoundarySpec.Open, is BoundarySpec.Periodic -> false
     }
 }

@@ -17,7 +17,11 @@ internal object Growth {
     fun remark(study: Study): String {
         val all = study.input.series?.takeIf { SeriesColumns.FILLING_FACTOR in it }?.get(SeriesColumns.FILLING_FACTOR)
         val path = all?.takeIf { it.size >= 2 }
-            ?.let { " from the filling factor ${ReportText.short(it.first())} to ${ReportText.short(it.last())}" }
+            ?.let {
+                " from the filling factor ${ReportText.short(
+                    it.first(),
+                )} to ${ReportText.short(study.bulk.fillingFactor)}"
+            }
             .orEmpty()
         val change = if (study.input.scenario?.growth?.let { it.rate < 0 } == true) "shrink" else "grow"
         val what = "The ${study.bodies} $change$path, so averages over time mean nothing"

@@ -13,7 +13,7 @@ import daphnis.analysis.statistics.Steadiness.Verdict
 internal class Judgement(
     private val from: Double,
     private val states: Int,
-    isChanging: Boolean = false,
+    private val isChanging: Boolean = false,
     quantities: () -> List<History>,
 ) {
     /** Those that change at all. */
@@ -43,10 +43,18 @@ internal class Judgement(
 
     /** [rows] as they are shown: averages over a time in which they, or the run, drift have no error. */
     fun shown(rows: List<NumberRow>): List<NumberRow> =
-        rows.map { if (isDrifting || it.key in drifting) it.unsteady() else it }
+        rows.map { if (isDrifting || it.key in drifting) it.unsteady(why) else it }
+
+    /** Whether nothing is averaged, since no time of the run is like another. */
+    private val isOfOne get() = isChanging && states == 1
+    private val why get() = if (isOfOne) Unknown.ONE_STATE else Unknown.UNSTEADY
 
     /** What the bars of a chart are; [steady] where the run does not drift. */
-    fun bars(steady: String = ofStates()): String = if (isDrifting) NO_BARS else steady
+    fun bars(steady: String = ofStates()): String = when {
+        isOfOne -> NOT_OF_ONE
+        isDrifting -> NO_BARS
+        else -> steady
+    }
 
     private fun ofStates(): String {
         if (states >= BlockAverage.FEWEST_NUMBERS) return BARS
@@ -57,6 +65,7 @@ internal class Judgement(
         const val BARS =
             "Bars are one standard error; a point has none where fewer than ${BlockAverage.FEWEST_NUMBERS} states " +
                 "have a value, or where these are worth fewer than eight independent ones."
+        const val NOT_OF_ONE = "There are no bars: numbers are of one state."
         const val NO_BARS = "There are no bars, since the run is not steady over the time averaged."
     }
 }

@@ -29,7 +29,7 @@ internal class MaterialSection(private val study: Study) : Section {
             study.last.isParticle(it) && groups!!.of(study.last, it) == number
         }
     }
-    private val pairs = if (there.size > 1 && there.size <= MOST) correlation() else null
+    private val pairs = if (there.size > 1 && there.size <= MOST && !study.isRoomCut) correlation() else null
     private val besides = pairs?.let { Averages(it) }
     private val motions = groups?.let { Averages(DispersionBySize(it)) }
     private val ratios = groups?.let { Averages(ratios(DispersionBySize(it))) }
@@ -127,7 +127,7 @@ internal class MaterialSection(private val study: Study) : Section {
         Table("pair-correlation-by-material", columns).write(study.tables)
         val inPlane = PairCorrelation.isInPlane(study.last.boundary)
         val argument = if (inPlane) "distance in the plane" else "distance r"
-        val figure = Chart.lines(curves, study.lengthAxis(argument), "g")
+        val figure = Chart.lines(curves, study.lengthAxis(argument), "pair correlation g")
         val caption = "Pairs of each two materials at a distance, over those of particles without correlation."
         study.draw(page, figure, "pair-correlation-by-material", "pair correlation by material", caption)
     }

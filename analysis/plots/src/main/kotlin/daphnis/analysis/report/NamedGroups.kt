@@ -58,7 +58,11 @@ internal class NamedGroups private constructor(val groups: SphereGroups, val kin
         }
         if (curves.isEmpty()) return
         Table("$name-by-$kind", columns).write(study.tables)
-        val figure = Chart.lines(curves, UnitNames.axis(argument.first, argument.second), symbol)
+        val figure = Chart.lines(
+            curves,
+            UnitNames.axis(argument.first, argument.second),
+            "${name.replace('-', ' ')} $symbol",
+        )
         study.draw(page, figure, "$name-by-$kind", "${name.replace('-', ' ')} by $kind", caption)
     }
 

@@ -32,8 +32,8 @@ internal class NumberRow(
      * This average over a time in which the run was not steady: an error would say that more is known than is. That
      * there are too few states for one then matters less: more of them would not help.
      */
-    fun unsteady(): NumberRow =
-        if (isAverage) NumberRow(name, value, Double.NaN, unit, reference, note, Unknown.UNSTEADY, key) else this
+    fun unsteady(why: Unknown = Unknown.UNSTEADY): NumberRow =
+        if (isAverage) NumberRow(name, value, Double.NaN, unit, reference, note, why, key) else this
 }
 
 /**
@@ -55,6 +55,7 @@ internal enum class Unknown(val remark: String, val mark: String, val sentence: 
         "No error can be given: the time averaged is shorter than six times the longest lag of the fit.",
     ),
     UNSTEADY("not steady", "!", "No error is given: the run is not steady over the time averaged."),
+    ONE_STATE("not steady", "!", "No error is given: the number is of one state of a run that changes."),
 }
 
 /** A list of quantities in the making; each gets the one of [references] that has its key. */

@@ -31,7 +31,11 @@ internal class OccultationSection(private val study: Study) : Section {
         study.tooFew()
     } else {
         study.last.boundary.space.let {
-            if (it.isPlane) "discs in a plane have no height" else "the box is filled above and below"
+            when {
+                it.isPlane -> "discs in a plane have no height"
+                study.isRoomCut -> Study.ROOM_CUT
+                else -> "the box is filled above and below"
+            }
         }
     }
 

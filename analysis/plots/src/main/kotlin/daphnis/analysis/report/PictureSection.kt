@@ -9,24 +9,24 @@ internal class PictureSection(private val study: Study) : Section {
 
     override fun write(page: ReportPage) {
         val last = study.last
-        val box = last.boundary.box
         val picture = PatchPicture(last, study.units.length)
-        val part = if (box.length(1) > 4 * box.length(0)) " The first part of its length." else ""
+        fun part(isPart: Boolean) = if (isPart) " The first part of its length." else ""
         val axes = if (study.isRing) "orbital motion to the right, outward up" else "y to the right, x up"
         page.png(
             picture.writeAbove(study.plots, "patch-above"),
             "the patch from above",
             if (last.boundary.space.isPlane) {
-                "$axes. The bar is ${picture.bar}.$part".replaceFirstChar { it.uppercase() }
+                "$axes. The bar is ${picture.bar}.${part(picture.isPartAbove)}".replaceFirstChar { it.uppercase() }
             } else {
-                "From above; $axes; higher spheres are brighter. The bar is ${picture.bar}.$part"
+                "From above; $axes; higher spheres are brighter. The bar is ${picture.bar}.${part(picture.isPartAbove)}"
             },
         )
         if (last.boundary.space.isPlane) return
         page.png(
             picture.writeSide(study.plots, "patch-side"),
             "the patch from the side",
-            "From the side; y to the right, z up; nearer spheres are brighter.$part",
+            "From the side; y to the right, z up; nearer spheres are brighter. The bar is ${picture.barSide}." +
+                part(picture.isPartSide),
         )
     }
 }

@@ -56,22 +56,13 @@ internal class ProfilesSection(private val study: Study) : Section {
     }
 
     override fun write(page: ReportPage) {
-        val (column, caption) = if (study.isSlab) {
-            "optical_depth" to "Optical depth across the patch."
-        } else {
-            "filling_factor" to "${if (isOfDiscs) "Area fraction" else "Filling factor"} along x."
-        }
-        drawn(page, radial, table("radial", radial), column, radialName, caption)
+        val across = table("radial", radial)
         table("azimuthal", azimuthal)
-        if (!isOfDiscs) {
-            drawn(
-                page,
-                vertical,
-                table("vertical", vertical),
-                "filling_factor",
-                "height z",
-                "Filling factor over height.",
-            )
+        val overHeight = if (isOfDiscs) null else table("vertical", vertical)
+        if (study.isRoomCut) {
+            page.paragraph("No densities over bins of the box: ${Study.ROOM_CUT}.")
+        } else {
+            densities(page, across, overHeight)
         }
         if (study.input.hasVelocities) {
             if (!isOfDiscs && !study.isRing && !study.last.boundary.hasImages(2)) temperature(page)
@@ -79,11 +70,23 @@ internal class ProfilesSection(private val study: Study) : Section {
         }
     }
 
+    private fun densities(page: ReportPage, across: Table, overHeight: Table?) {
+        val (column, caption) = if (study.isSlab) {
+            "optical_depth" to "Optical depth across the patch."
+        } else {
+            "filling_factor" to "${if (isOfDiscs) "Area fraction" else "Filling factor"} along x."
+        }
+        drawn(page, radial, across, column, radialName, caption)
+        if (overHeight == null) return
+        drawn(page, vertical, overHeight, "filling_factor", "height z", "Filling factor over height.")
+    }
+
     /** Writes the table of a profile. */
     private fun table(name: String, of: Averaged): Table {
         val columns = arrayListOf(Column("centre", units.length, of.centres()))
         for ((c, column) in Profile.COLUMNS.withIndex()) {
             if (!study.input.hasVelocities && isOfMotion(column)) continue
+            if (study.isRoomCut && column in OF_BOX) continue
             val all = of.column(c)
             val unit = unitOf(column, of.profile.axis)
             columns += Column(column, unit, DoubleArray(all.size) { all[it].mean })
@@ -141,7 +144,9 @@ internal class ProfilesSection(private val study: Study) : Section {
             )
         }
         val label = UnitNames.axis("granular temperature", study.scale.temperatureName)
-        val caption = "Granular temperature over height by component, around the mean of each bin, by number."
+        val flow = WallDrive.remark(study)
+        val caption = "Granular temperature over height by component, around the mean of each bin, by number" +
+            (if (flow.isEmpty()) "." else "; $flow within a bin.")
         val figure = Chart.lines(curves, study.lengthAxis("height z"), label)
         study.draw(page, figure, "vertical-temperature", "granular temperature over height", caption)
     }
@@ -174,5 +179,8 @@ internal class ProfilesSection(private val study: Study) : Section {
 
     private companion object {
         const val MOST_BINS = 60
+
+        /** Columns that are over the volume or the area of bins of the box. */
+        val OF_BOX = setOf("surface_density", "optical_depth", "filling_factor")
     }
 }

@@ -22,8 +22,11 @@ internal class StructureSection(private val study: Study) : Section {
 
     override val heading = "Structure"
     override val over = "Correlations of particle positions. ${study.overAverages}"
-    override val leftOut =
-        if (study.isCompact || study.isThin) study.tooFew() else "the patch is more than twenty times as long as wide"
+    override val leftOut = when {
+        study.isRoomCut -> Study.ROOM_CUT
+        study.isCompact || study.isThin -> study.tooFew()
+        else -> "the patch is more than twenty times as long as wide"
+    }
 
     override fun add(state: State) {
         if (leftOut == null) for (part in parts) part.add(state)

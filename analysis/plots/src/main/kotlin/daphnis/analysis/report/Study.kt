@@ -55,8 +55,11 @@ internal class Study(
      */
     val physics: Scenario? = input.scenario?.takeUnless { input.directory?.program?.let { Files.exists(it) } == true }
 
+    /** Whether walls that are no faces of the box cut off parts of it: densities over the box then tell nothing. */
+    val isRoomCut: Boolean = last.boundary.surfaces.isNotEmpty()
+
     /** Whether light through the patch means something: not through a box that is one of many all around. */
-    val isSlab: Boolean = !last.boundary.repeats(2) && !last.boundary.space.isPlane
+    val isSlab: Boolean = !last.boundary.repeats(2) && !last.boundary.space.isPlane && !isRoomCut
 
     /** What collides. */
     val bodies: String = if (last.boundary.space.isPlane) "discs" else "spheres"
@@ -115,6 +118,9 @@ internal class Study(
     }
 
     companion object {
+        /** Why what is measured over the box is left out where [isRoomCut]. */
+        const val ROOM_CUT = "the room is not the box"
+
         /** Particles below which averages over them mean nothing. */
         private const val FEWEST = 10
 

@@ -40,6 +40,32 @@ class FreeCoolingTest {
     }
 
     @Test
+    fun `walls that move, turn, have a belt or a temperature heat a gas`() {
+        fun within(face: String) = isOf("cooling-gas", """boundary={"type":"walls","faces":{"lowerZ":{$face}}}""")
+        assertEquals(true, within(""""restitution":0.5"""))
+        assertEquals(false, within(""""temperature":1"""))
+        fun moving(law: String) = within(""""motion":{$law}""")
+        assertEquals(false, moving(""""type":"sine","amplitude":0.1,"frequency":1"""))
+        assertEquals(false, moving(""""type":"sawtooth","amplitude":0.1,"frequency":1"""))
+        assertEquals(false, moving(""""type":"bi-parabolic","amplitude":0.1,"frequency":1"""))
+        assertEquals(true, moving(""""type":"bi-parabolic","amplitude":0,"frequency":1"""))
+        assertEquals(false, moving(""""type":"piston","mass":1,"force":1"""))
+        assertEquals(false, moving(""""type":"steady","velocity":1"""))
+        assertEquals(true, moving(""""type":"steady","velocity":0"""))
+        fun around(surface: String) = isOf("cooling-gas", """boundary={"type":"walls","surfaces":[{$surface}]}""")
+        val plane = """"type":"plane","point":[0,0,0],"normal":[0,0,1]"""
+        assertEquals(true, around(plane))
+        assertEquals(false, around("""$plane,"belt":[1,0,0]"""))
+        assertEquals(false, around("""$plane,"temperature":1"""))
+        assertEquals(false, around("""$plane,"motion":{"type":"sine","amplitude":0.1,"frequency":1}"""))
+        assertEquals(true, around(""""type":"sphere","radius":1"""))
+        assertEquals(false, around(""""type":"sphere","radius":1,"angularVelocity":[0,0,1]"""))
+        assertEquals(true, around(""""type":"cylinder","axis":[1,0,0],"radius":1"""))
+        assertEquals(false, isOf("drum"))
+        assertEquals(true, isOf("drum", "boundary.surfaces=[]"))
+    }
+
+    @Test
     fun `inelastic spheres cool for ever unless something heats them, or slow impacts are elastic`() {
         assertEquals(true, isOf("cooling-gas"))
         assertEquals(true, isOf("cooling-gas", "boundary={\"type\":\"walls\"}"))

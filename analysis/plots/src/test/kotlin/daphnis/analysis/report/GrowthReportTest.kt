@@ -21,6 +21,10 @@ class GrowthReportTest {
         assertTrue("so averages over time mean nothing: numbers are of one state." in page)
         assertTrue("No drift is seen" !in page && "spheres grow, so no time" in page)
         assertTrue("Averages over 1 state of 7" in page)
+        assertTrue("the number is of one state of a run that changes" in page && "steady over the time" !in page)
+        val last = Files.readAllLines(home.resolve("tables/numbers.csv")).map { it.split(',') }
+            .first { it[0] == "filling_factor" }[1].toDouble()
+        assertTrue("to ${ReportText.short(last)}, so averages" in page)
         assertTrue(Files.exists(home.resolve("plots/compression.svg")))
         val rows = Files.readAllLines(home.resolve("tables/compression.csv"))
         assertEquals(listOf("time", "filling_factor", "reduced_pressure", "fluid"), rows[0].split(',').map(::name))

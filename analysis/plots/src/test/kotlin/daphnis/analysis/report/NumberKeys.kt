@@ -91,7 +91,8 @@ internal object NumberKeys {
     )
     private const val DISCS = "area_fraction"
     private const val WALLS = "wall_work_over_dissipation"
-    private val single = listOf(INFINITE, GUIDING_CENTRES, DISCS, WALLS) + HELFAND
+    private const val PISTON = "volume"
+    private val single = listOf(INFINITE, GUIDING_CENTRES, DISCS, WALLS, PISTON) + HELFAND
 
     private val all =
         (RING + ROUGH_GAS + SELF_GRAVITY + SHEARED + MOONLET + DIFFUSION + WAVES + FLUID + ORDER + single).toSet()

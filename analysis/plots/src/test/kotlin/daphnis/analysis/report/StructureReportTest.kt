@@ -84,7 +84,9 @@ class StructureReportTest {
         assertTrue(value("solid_like_share") > 0.99 && value("largest_solid_share") > 0.99)
         assertTrue(value("bond_order_q6") in 0.45..0.57 && value("bond_order_w6") < 0)
         assertTrue(value("bond_order_average_q6") in 0.4..0.57)
+        assertTrue("structure_factor_zero" !in numbers && "contact_value" in numbers)
         val order = rows(path, "bond-order")
+        assertTrue("density_q4" in order[0])
         assertEquals(1.0, order.drop(1).sumOf { it[1].toDouble() } * 0.65 / 50, 1e-9)
         assertTrue("Order of neighbours" in Files.readString(path.resolve("report.html")))
         val discs = report(
@@ -100,6 +102,7 @@ class StructureReportTest {
         assertTrue(ofDiscs.getValue("hexatic_order_local")[1].toDouble() in 0.4..0.8)
         assertTrue(ofDiscs.getValue("hexatic_order")[1].toDouble() < 0.5)
         assertFalse("bond_order_q6" in ofDiscs)
+        assertTrue("structure_factor_zero" in ofDiscs)
     }
 
     @Test
