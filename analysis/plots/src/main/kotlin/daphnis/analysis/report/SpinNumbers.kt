@@ -46,7 +46,8 @@ internal class SpinNumbers(private val study: Study, private val rows: NumberRow
             "fourth cumulant a₂ of velocities",
             study.motion.cumulant("a2"),
             "",
-            "⟨c⁴⟩ = ${if (space.isPlane) "2" else "(5/3)"} ⟨c²⟩² (1 + a₂), of √m c; 0 for Maxwellians of one temperature" +
+            "⟨c⁴⟩ = ${if (space.isPlane) "2" else "(5/3)"} ⟨c²⟩² (1 + a₂), of √m c; 0 for Maxwellians of one " +
+                "temperature" +
                 (if (flow.isEmpty()) "" else "; $flow"),
         )
         if (study.motion.rotation == null) return
