@@ -121,9 +121,9 @@ internal class OrderSection(private val study: Study) : Section {
         const val REACH = 0.65
         const val SOLID = "of seven neighbours or more with q₆·q₆ above 0.7"
         const val SPHERES =
-            "Bond order of spheres; q̄₆ is averaged over each with its neighbours (Lechner & Dellago 2008). At rest " +
-                "a perfect face-centred cubic crystal has q₄ = 0.191 and q₆ = 0.575, a hexagonal one 0.097 and 0.485, " +
-                "a body-centred cubic one 0.036 and 0.511."
+            "Bond order of spheres; q̄₆ is averaged over each with its neighbours (Lechner & Dellago 2008). At " +
+                "rest a perfect face-centred cubic crystal has q₄ = 0.191 and q₆ = 0.575, a hexagonal one 0.097 and " +
+                "0.485, a body-centred cubic one 0.036 and 0.511."
         const val DISCS = "Six-fold order of discs: 1 in a hexagonal lattice."
         val OF_SPHERES = listOf(
             "bond_order_q4" to "bond order q₄",
