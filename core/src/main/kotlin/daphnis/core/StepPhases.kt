@@ -103,7 +103,10 @@ public class StepPhases(
         }
     }
 
-    /** Pistons take up their impacts, and forces act for the second half of a step that ended at [end], in the reverse order. */
+    /**
+     * Pistons take up their impacts, and forces act for the second half of a step that ended at [end], in the reverse
+     * order.
+     */
     public fun kickAgain(end: Double, duration: Double) {
         pistons?.move(duration, end)
         for (k in forces.indices.reversed()) forces[k].afterDrift(population, end, duration)

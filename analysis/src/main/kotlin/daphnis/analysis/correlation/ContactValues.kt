@@ -8,10 +8,11 @@ import kotlin.math.PI
 import kotlin.math.sqrt
 
 /**
- * Contact values g_ab(σ_ab) of hard spheres by pairs of [groups], a ≤ b: pairs whose surfaces are up to [reach] of their
- * distance of contact apart are counted in ten bins of that share, over those that particles without correlation would
- * have, and a parabola through these is taken at contact. Where radii differ within a group, it is a mean over its pairs,
- * each at its own contact. As a [Measure] it gives [numbers] values, at [at] (a, b). NaN where there are no such pairs.
+ * Contact values g_ab(σ_ab) of hard spheres by pairs of [groups], a ≤ b: pairs whose surfaces are up to [reach] of
+ * their distance of contact apart are counted in ten bins of that share, over those that particles without correlation
+ * would have, and a parabola through these is taken at contact. Where radii differ within a group, it is a mean over
+ * its pairs, each at its own contact. As a [Measure] it gives [numbers] values, at [at] (a, b). NaN where there are no
+ * such pairs.
  *
  * In a box with images along all axes, of discs along x and y: others need a correction for the room at faces.
  *

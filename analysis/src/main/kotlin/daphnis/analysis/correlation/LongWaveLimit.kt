@@ -5,12 +5,12 @@ import daphnis.analysis.insitu.State
 
 /**
  * The structure factor at wave number 0, S(0⁺), which is n kT times the isothermal compressibility of a fluid in
- * equilibrium. As a [Measure] it gives this one number: the value at 0 of the parabola in k² that fits |Σ exp(i k·r)|²/N
- * best, over the wave vectors that fit the box with |k| up to [reach]; of many, 400 of the longest waves. A number of one
- * state is linear in these squares, so its mean over states has no bias but that of the parabola. With k σ up to 2.5,
- * 60 runs of 256 hard spheres at a filling factor of 0.3 gave 0.0981 ± 0.0009 for 0.0976, and one of 500 at 0.45 and
- * 0.49 what Carnahan & Starling have, within its errors of 10 % (docs/validation.md, Structure). NaN for fewer than 20
- * vectors.
+ * equilibrium. As a [Measure] it gives this one number: the value at 0 of the parabola in k² that fits |Σ exp(i
+ * k·r)|²/N best, over the wave vectors that fit the box with |k| up to [reach]; of many, 400 of the longest waves. A
+ * number of one state is linear in these squares, so its mean over states has no bias but that of the parabola. With k
+ * σ up to 2.5, 60 runs of 256 hard spheres at a filling factor of 0.3 gave 0.0981 ± 0.0009 for 0.0976, and one of 500
+ * at 0.45 and 0.49 what Carnahan & Starling have, within its errors of 10 % (docs/validation.md, Structure). NaN for
+ * fewer than 20 vectors.
  *
  * @param reach largest |k|, in 1/length
  */

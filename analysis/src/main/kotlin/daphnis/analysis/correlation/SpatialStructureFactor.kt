@@ -8,14 +8,14 @@ import kotlin.math.sqrt
 /**
  * Static structure factor S(k) = |Σ exp(i k·r)|²/N of the wave vectors of space that fit the box, averaged over
  * directions in bins of |k| from 0 to [largest]. Wave vectors go along the axes that have images, so those of discs are
- * in their plane, and lean with images that slide. As a [Measure] it gives S by bin. With more than one of the [groups],
- * the partial structure factors of Ashcroft & Langreth (1967, Phys. Rev. 156, 685) follow:
- * S_ab(k) = Re Σ_a exp(i k·r) Σ_b exp(−i k·r)/√(N_a N_b), from [first] (a, b) on. These go to 1 for a = b at large k, to 0
- * otherwise; S is Σ √(x_a x_b) S_ab over all ordered pairs. Particles in no group count nowhere.
+ * in their plane, and lean with images that slide. As a [Measure] it gives S by bin. With more than one of the
+ * [groups], the partial structure factors of Ashcroft & Langreth (1967, Phys. Rev. 156, 685) follow:
+ * S_ab(k) = Re Σ_a exp(i k·r) Σ_b exp(−i k·r)/√(N_a N_b), from [first] (a, b) on. These go to 1 for a = b at large k,
+ * to 0 otherwise; S is Σ √(x_a x_b) S_ab over all ordered pairs. Particles in no group count nowhere.
  *
- * NaN in a bin without a wave vector, and without particles. Time goes with particles times wave vectors: where these are
- * more than 6 · 10⁶, each bin has as many vectors, spread over its directions, at least one. Another choice of vectors is
- * another sample of the same mean, so this costs precision only, and not where vectors are few, at small k.
+ * NaN in a bin without a wave vector, and without particles. Time goes with particles times wave vectors: where these
+ * are more than 6 · 10⁶, each bin has as many vectors, spread over its directions, at least one. Another choice of
+ * vectors is another sample of the same mean, so this costs precision only, and not where vectors are few, at small k.
  *
  * @param largest largest |k|, in 1/length
  */
@@ -31,7 +31,9 @@ public class SpatialStructureFactor @JvmOverloads constructor(
     /** Middle of [bin]. */
     public fun centre(bin: Int): Double = (bin + 0.5) * largest / bins
 
-    /** Where the bins of the groups [a] and [b] begin among the numbers, for two groups or more; both orders are one. */
+    /**
+     * Where the bins of the groups [a] and [b] begin among the numbers, for two groups or more; both orders are one.
+     */
     public fun first(a: Int, b: Int): Int {
         val low = minOf(a, b)
         require(low >= 0 && maxOf(a, b) < groups.count) { "groups $a and $b; there are ${groups.count}, from 0 on" }

@@ -4,10 +4,10 @@ import daphnis.analysis.insitu.Measure
 import daphnis.analysis.insitu.State
 
 /**
- * Spectra of momentum and density of a gas, as of one that cools and forms vortices and clusters (van Noije, Ernst, Brito
- * & Orza 1997, Phys. Rev. Lett. 79, 411): with j = Σ m (v − ⟨v⟩) exp(i k·r), the part of j across k is vorticity, that
- * along k compression. As a [Measure] it gives three numbers for each bin of |k| from 0 to [largest], from entries 0,
- * [bins] and 2 [bins] on:
+ * Spectra of momentum and density of a gas, as of one that cools and forms vortices and clusters (van Noije, Ernst,
+ * Brito & Orza 1997, Phys. Rev. Lett. 79, 411): with j = Σ m (v − ⟨v⟩) exp(i k·r), the part of j across k is vorticity,
+ * that along k compression. As a [Measure] it gives three numbers for each bin of |k| from 0 to [largest], from entries
+ * 0, [bins] and 2 [bins] on:
  *
  * - S_⊥(k) = |j_⊥|²/((d − 1) N τ) and S_∥(k) = |j_∥|²/(N τ) with τ = ⟨m² (v − ⟨v⟩)²⟩/d: both are 1 where velocities of
  *   different particles have nothing in common;

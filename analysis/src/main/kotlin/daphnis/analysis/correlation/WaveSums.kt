@@ -6,9 +6,9 @@ import kotlin.math.cos
 import kotlin.math.sin
 
 /**
- * Sums Σ q exp(i k·r) over spheres of [state] for all [vectors]. exp(i k·r) is a product of powers of three phases, which
- * are taken once per sphere; so cosines and sines do not cost for each vector. The n-th power, from n products, is wrong
- * by less than n · 3e-16. Spheres are taken in blocks whose powers stay in the cache.
+ * Sums Σ q exp(i k·r) over spheres of [state] for all [vectors]. exp(i k·r) is a product of powers of three phases,
+ * which are taken once per sphere; so cosines and sines do not cost for each vector. The n-th power, from n products,
+ * is wrong by less than n · 3e-16. Spheres are taken in blocks whose powers stay in the cache.
  */
 internal class WaveSums(private val state: State, private val vectors: WaveVectors) {
     private val most = IntArray(AXES) { axis -> vectors.orders[axis].maxOfOrNull { abs(it) } ?: 0 }

@@ -89,8 +89,8 @@ internal class WaveVectors(
     fun length(j: Int): Double = length(orders[0][j], orders[1][j], orders[2][j])
 
     /**
-     * Phase of one wave along [axis] at the sphere at [index] of [state]: k·r is the sum over axes of their orders times
-     * these.
+     * Phase of one wave along [axis] at the sphere at [index] of [state]: k·r is the sum over axes of their orders
+     * times these.
      */
     fun phase(state: State, axis: Int, index: Int): Double {
         val p = state.population

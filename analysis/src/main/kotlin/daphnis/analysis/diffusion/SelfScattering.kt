@@ -5,11 +5,11 @@ import kotlin.math.ln
 import kotlin.math.pow
 
 /**
- * How particles forget where they were: the self-intermediate scattering function F_s(k, t) = ⟨cos k·(r(t₀ + t) − r(t₀))⟩
- * and the non-Gaussian parameter α₂(t) = d ⟨Δr⁴⟩/((d + 2) ⟨Δr²⟩²) − 1 in d dimensions (Rahman 1964, Phys. Rev. 136,
- * A405), by lag, averaged over particles and origins t₀. k has the length [waveNumber] and goes along each of the
- * coordinates of [trajectories] in turn, which must be all those of an isotropic gas: x, y and z, of discs x and y. F_s is
- * exp(−D k² t), and α₂ 0, where displacements are Gaussian.
+ * How particles forget where they were: the self-intermediate scattering function F_s(k, t) = ⟨cos k·(r(t₀ + t) −
+ * r(t₀))⟩ and the non-Gaussian parameter α₂(t) = d ⟨Δr⁴⟩/((d + 2) ⟨Δr²⟩²) − 1 in d dimensions (Rahman 1964, Phys. Rev.
+ * 136, A405), by lag, averaged over particles and origins t₀. k has the length [waveNumber] and goes along each of the
+ * coordinates of [trajectories] in turn, which must be all those of an isotropic gas: x, y and z, of discs x and y. F_s
+ * is exp(−D k² t), and α₂ 0, where displacements are Gaussian.
  *
  * Lags are those of [MeanSquareDisplacement] up to half the time, each a fifth longer than the one before at least; of
  * more than [most] particles every n-th is taken. Errors are from blocks of time as long as the lag, of all particles
@@ -98,8 +98,8 @@ public class SelfScattering @JvmOverloads constructor(
     }
 
     /**
-     * Time in which F_s falls to 1/e, on a straight line of ln F_s over ln t between lags; NaN where it does not, or has before
-     * the first lag.
+     * Time in which F_s falls to 1/e, on a straight line of ln F_s over ln t between lags; NaN where it does not, or
+     * has before the first lag.
      */
     public fun relaxationTime(): Double {
         val level = 1 / Math.E

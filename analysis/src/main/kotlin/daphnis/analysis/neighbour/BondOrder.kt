@@ -26,7 +26,9 @@ public class BondOrder(state: State, private val lists: NeighbourLists) {
     private val four = harmonics(4)
     private val six = harmonics(6)
 
-    /** q₄ and, averaged over the particle and its neighbours, q̄₄ (Lechner & Dellago 2008, J. Chem. Phys. 129, 114707). */
+    /**
+     * q₄ and, averaged over the particle and its neighbours, q̄₄ (Lechner & Dellago 2008, J. Chem. Phys. 129, 114707).
+     */
     public val q4: DoubleArray = lengths(four, 4)
     public val averagedQ4: DoubleArray by lazy { lengths(averaged(four, 4), 4) }
 
@@ -43,13 +45,15 @@ public class BondOrder(state: State, private val lists: NeighbourLists) {
         }
     }
 
-    /** Σ_m q_6m(i) q*_6m(j) over the lengths of both: how alike the surroundings of [i] and [j] are oriented, up to 1. */
+    /**
+     * Σ_m q_6m(i) q*_6m(j) over the lengths of both: how alike the surroundings of [i] and [j] are oriented, up to 1.
+     */
     public fun likeness(i: Int, j: Int): Double =
         square(six, 6, i, j) / sqrt(square(six, 6, i, i) * square(six, 6, j, j))
 
     /**
-     * Which particles are in solid-like surroundings (ten Wolde, Ruiz-Montero & Frenkel 1996, J. Chem. Phys. 104, 9932):
-     * of their neighbours [least] at least have a [likeness] above [threshold].
+     * Which particles are in solid-like surroundings (ten Wolde, Ruiz-Montero & Frenkel 1996, J. Chem. Phys. 104,
+     * 9932): of their neighbours [least] at least have a [likeness] above [threshold].
      */
     @JvmOverloads
     public fun solidLike(threshold: Double = LIKE, least: Int = CONNECTIONS): BooleanArray = BooleanArray(size) { i ->
@@ -109,8 +113,8 @@ public class BondOrder(state: State, private val lists: NeighbourLists) {
 }
 
 /**
- * Six-fold order of discs (Nelson & Halperin 1979, Phys. Rev. B 19, 2457): ψ₆ is the mean of exp(6iθ) over the directions
- * θ of the neighbours. Arrays are by index in the population, NaN for bodies and without a neighbour.
+ * Six-fold order of discs (Nelson & Halperin 1979, Phys. Rev. B 19, 2457): ψ₆ is the mean of exp(6iθ) over the
+ * directions θ of the neighbours. Arrays are by index in the population, NaN for bodies and without a neighbour.
  *
  * @throws IllegalArgumentException for spheres in space
  */

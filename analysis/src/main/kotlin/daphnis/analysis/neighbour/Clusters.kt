@@ -6,8 +6,8 @@ import daphnis.core.boundary.Images
 
 /**
  * Clusters of particles: sets in which each is linked to another, also through faces and by images that slide. Found by
- * union and find (Tarjan 1975, J. ACM 22, 215) that keeps where each particle is relative to its cluster's root, so that
- * a cluster which meets an image of itself is seen.
+ * union and find (Tarjan 1975, J. ACM 22, 215) that keeps where each particle is relative to its cluster's root, so
+ * that a cluster which meets an image of itself is seen.
  *
  * @property label number of the cluster of each sphere, by index in the population; clusters are numbered from the
  *   largest down, of equal ones that with the lowest index first; −1 for bodies and for what is in none

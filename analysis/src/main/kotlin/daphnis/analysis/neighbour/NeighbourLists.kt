@@ -29,8 +29,8 @@ public class NeighbourLists private constructor(
         private const val MOST_ATTEMPTS = 4
 
         /**
-         * Of [state], by the rule [neighbours]. Where it takes more candidates than are near, the search goes farther, up
-         * to half the shortest edge; a particle that then still lacks some has all that were found.
+         * Of [state], by the rule [neighbours]. Where it takes more candidates than are near, the search goes farther,
+         * up to half the shortest edge; a particle that then still lacks some has all that were found.
          *
          * @throws IllegalArgumentException where a box with images is less than twice as wide as the rule reaches
          */

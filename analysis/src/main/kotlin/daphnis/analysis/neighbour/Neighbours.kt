@@ -67,7 +67,8 @@ public sealed class Neighbours {
     public companion object {
         /**
          * Those within the first minimum of g(r), as [states] show it on average: where the mean of three bins of a
-         * twentieth of a diameter is lowest between the highest peak, within 1.5 mean diameters, and 2.2, or half the shortest edge.
+         * twentieth of a diameter is lowest between the highest peak, within 1.5 mean diameters, and 2.2, or half the
+         * shortest edge.
          *
          * @throws IllegalArgumentException for no state
          */

@@ -55,13 +55,15 @@ public object HardSpheres {
         return (1 + filling + square - 2.0 / 3 * square * filling * (1 + filling)) / (free * free * free)
     }
 
-    /** Of the fluid, stable or not, up to φ = 0.54, by Kolafa, Labík & Malijevský 2004, Phys. Chem. Chem. Phys. 6, 2335. */
+    /**
+     * Of the fluid, stable or not, up to φ = 0.54, by Kolafa, Labík & Malijevský 2004, Phys. Chem. Chem. Phys. 6, 2335.
+     */
     @JvmStatic
     public fun kolafaLabikMalijevsky(filling: Double): Double = series(filling / (1 - filling), 0)
 
     /**
-     * What [kolafaLabikMalijevsky] becomes in a periodic box of [count] spheres, to first order in 1/[count]: Z − S(0) n
-     * (2 Z′ + n Z″)/2N, with ′ the derivative by the density n and S(0) = 1/(Z + n Z′) (Lebowitz & Percus 1961, Phys.
+     * What [kolafaLabikMalijevsky] becomes in a periodic box of [count] spheres, to first order in 1/[count]: Z − S(0)
+     * n (2 Z′ + n Z″)/2N, with ′ the derivative by the density n and S(0) = 1/(Z + n Z′) (Lebowitz & Percus 1961, Phys.
      * Rev. 122, 1675). The temperature is that of N − 1 free spheres, ⟨c²⟩/3 without bias from their number.
      */
     @JvmStatic

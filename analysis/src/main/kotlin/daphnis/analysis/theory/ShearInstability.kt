@@ -9,8 +9,8 @@ import kotlin.math.sqrt
  * Where a gas of equal smooth inelastic spheres or discs that cools by itself is unstable: the velocity of a shear mode
  * decays by viscosity at the rate η k²/ρ, thermal speeds fall at ζ/2. So modes with k below k_c = √(ζρ/2η) grow beside
  * the thermal speed, and vortices form in a box longer than L_c = 2π/k_c; below that they cannot. ζ and η are those of
- * Enskog's equation to first order (Garzó & Dufty 1999, Phys. Rev. E 59, 5895; Garzó 2005, Phys. Rev. E 72, 021106; in d
- * dimensions Lutsko 2005, Phys. Rev. E 72, 021306), with the contact value of Carnahan & Starling, for discs that of
+ * Enskog's equation to first order (Garzó & Dufty 1999, Phys. Rev. E 59, 5895; Garzó 2005, Phys. Rev. E 72, 021106; in
+ * d dimensions Lutsko 2005, Phys. Rev. E 72, 021306), with the contact value of Carnahan & Starling, for discs that of
  * Henderson. For coefficients of restitution from 0.6 and filling factors up to 0.4, of discs 0.5.
  */
 public object ShearInstability {

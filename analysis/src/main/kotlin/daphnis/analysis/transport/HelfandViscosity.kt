@@ -11,12 +11,12 @@ import kotlin.math.sqrt
  *
  * G_ab(t) = Σ Δp_a δ_b + ∫ M⟨c_a c_b⟩ dt is taken from the rows of a [TransportTable], by the trapezium rule, for the
  * five shears of space: xy, xz, yz, (xx − yy)/2 and (xx + yy − 2zz)/√12. The gas is at rest, so their means are 0, and
- * none is subtracted. Then 2 V kT η is the slope of ⟨(G(t + s) − G(t))²⟩ between the lags s = L/2 and L, on average over
- * the five and all t. What is correlated over times shorter than L/2 counts in full.
+ * none is subtracted. Then 2 V kT η is the slope of ⟨(G(t + s) − G(t))²⟩ between the lags s = L/2 and L, on average
+ * over the five and all t. What is correlated over times shorter than L/2 counts in full.
  *
  * **Lag.** L is ten mean free times of a particle, or twice the time in which one of thermal speed √(⟨c²⟩/3) crosses a
- * diameter, if that is longer. The stress that particles carry decays within some 1.3 mean free times. A longer lag adds
- * noise: the error grows as √L.
+ * diameter, if that is longer. The stress that particles carry decays within some 1.3 mean free times. A longer lag
+ * adds noise: the error grows as √L.
  *
  * **Error.** From blocks of time as long as L ([BlockAverage]), so there is none below 16 of them.
  *

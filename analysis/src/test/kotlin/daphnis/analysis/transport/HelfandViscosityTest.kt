@@ -31,8 +31,8 @@ class HelfandViscosityTest {
 
     /**
      * Rows 0.1 apart of 20 spheres of mass 2 and temperature 3 in a volume 5. Jumps of the virial are white noise of
-     * intensity [jumps] in each shear, under a pressure that fluctuates; what particles carry has the variance [carried]
-     * and forgets within 0.3.
+     * intensity [jumps] in each shear, under a pressure that fluctuates; what particles carry has the variance
+     * [carried] and forgets within 0.3.
      */
     private fun made(
         rows: Int,

@@ -41,9 +41,9 @@ public interface BoundaryConditions : Kinematics {
     public val shear: ImageShear? get() = null
 
     /**
-     * The rate at which images come nearer, per unit of time: the image m boxes of length L away is displaced by m L (1 −
-     * rate · s), where s is the time since the start of the step. 0, except within a step of a boundary in which spheres
-     * grow; not with a [shear].
+     * The rate at which images come nearer, per unit of time: the image m boxes of length L away is displaced by m L (1
+     * − rate · s), where s is the time since the start of the step. 0, except within a step of a boundary in which
+     * spheres grow; not with a [shear].
      */
     public val approach: Double get() = 0.0
 

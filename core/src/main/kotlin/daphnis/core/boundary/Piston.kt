@@ -7,7 +7,8 @@ import kotlin.math.abs
  *
  * Its motion depends on all impacts, which engines find in any order. So within a step it moves as it would without
  * them, with the acceleration force/mass, and a sphere of mass m that meets it with the relative speed u gets the
- * impulse (1 + ε) u m M/(m + M), as from a free body of mass M; at the end of the step the piston takes up the exact
+ * impulse (1 + ε) u m M/(m + M), as from a free body of mass M, and u m at least, since the wall does not give way
+ * within the step; at the end of the step the piston takes up the exact
  * sum of these impulses. Momentum is conserved to round-off. The energy changes by J₁J₂/M for each pair of impulses
  * in a step, and the force takes about as much back: it drifts by first order in the step, and wanders with the root
  * of it. A step should change the speed of the piston by little, and its mass be large for that of a sphere; see

@@ -6,9 +6,11 @@ import kotlin.math.abs
 internal class FacingWalls(val first: String, val second: String, val apart: Double)
 
 private class FacingWall(val name: String, val point: DoubleArray, val into: DoubleArray, val motion: WallMotion?) {
-    /** How far into the room the wall goes at most; a motion of a face is along its axis. */
+    /** How far into the room the wall goes at most; of a piston, at [from]. A motion of a face is along its axis. */
     fun highest(from: Double, to: Double, along: Double): Double = when {
         motion == null -> 0.0
+        // As of faces, where it will be is not known.
+        motion is Piston -> along * motion.displacement(from)
         along > 0 -> motion.highest(motion.phase(from), to - from)
         else -> -motion.lowest(motion.phase(from), to - from)
     }

@@ -6,8 +6,8 @@ package daphnis.core.boundary
  * @property restitution its coefficient of restitution, in [0, 1], in place of that of all walls; null for that
  * @property motion how it moves; null when it rests. A [Piston] is not thermal
  * @property temperature T of a thermal wall, mass · (length/time)², > 0; null for one that reflects. From a thermal
- *   wall spheres of mass m leave with velocities drawn from the flux of a gas of that temperature: relative to the wall,
- *   the density of the normal speed c is (m c/T) exp(−m c²/2T), and the components along the wall are normal with
+ *   wall spheres of mass m leave with velocities drawn from the flux of a gas of that temperature: relative to the
+ *   wall, the density of the normal speed c is (m c/T) exp(−m c²/2T), and the components along the wall are normal with
  *   variance T/m. Restitution does not matter there, and the wall is not rough
  */
 public class WallFace @JvmOverloads constructor(

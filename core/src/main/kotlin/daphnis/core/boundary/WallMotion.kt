@@ -220,8 +220,9 @@ internal fun BoundaryConditions.leastRoom(axis: Int, from: Double, to: Double): 
 }
 
 /**
- * The least of [upper] minus [lower] where they move alike, so that it is more than when each is where it comes nearest:
- * sines of one frequency, other motions which differ in their amplitudes alone, and steady ones. Otherwise null.
+ * The least of [upper] minus [lower] where they move alike, so that it is more than when each is where it comes
+ * nearest: sines of one frequency, other motions which differ in their amplitudes alone, and steady ones. Otherwise
+ * null.
  */
 private fun togetherAtLeast(lower: WallMotion, upper: WallMotion, from: Double, to: Double): Double? {
     if (lower is WallMotion.Steady && upper is WallMotion.Steady) {

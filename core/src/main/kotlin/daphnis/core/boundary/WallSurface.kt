@@ -92,7 +92,8 @@ public sealed class WallSurface(public val face: WallFace, public val roughness:
      * A plane through [point].
      *
      * @param normal into the room, of any length > 0
-     * @param belt velocity of the surface along itself, such as that of a belt; it acts on spheres by roughness alone
+     * @param belt velocity of the surface along itself, such as that of a belt; it acts on spheres by roughness, or by
+     *   a temperature
      */
     public class Plane @JvmOverloads constructor(
         point: List<Double>,

@@ -4,8 +4,8 @@ import daphnis.core.surface.Roughness
 
 /**
  * Reflecting walls: the surface of a sphere never passes a face; its normal velocity relative to the face is reversed
- * at the moment of contact and multiplied by [wallRestitution]. Axes for which [walled] is false are periodic. A flat box is
- * open along z.
+ * at the moment of contact and multiplied by [wallRestitution]. Axes for which [walled] is false are periodic. A flat
+ * box is open along z.
  *
  * @param box where the walls are when they do not move
  * @param roughness of the faces −x, +x, −y, +y, −z, +z, null for a smooth one; none is rough when not given

@@ -54,6 +54,22 @@ public class CollisionLaw @JvmOverloads constructor(
     /** The acceleration of all spheres along [axis]. */
     internal fun acceleration(axis: Int): Double = acceleration[axis]
 
+    /** The coefficient of restitution at a wall whose own is [own]; the guard may make it 1 as between spheres. */
+    internal fun atWall(own: Double, rows: StepRows, slot: Int, speed: Double, time: Double): Double {
+        if (!guard.needsLastCollision) return if (guard.makesElastic(speed, 0.0, 0.0)) 1.0 else own
+        val since = time - rows.lastCollision[slot]
+        rows.lastCollision[slot] = time
+        return if (guard.makesElastic(speed, since, Double.POSITIVE_INFINITY)) 1.0 else own
+    }
+
+    /** Energy of motion and spin of [slot], the components of whose true velocity have [squares] as sum of squares. */
+    internal fun energy(rows: StepRows, slot: Int, squares: Double): Double {
+        if (!rows.hasSpin) return 0.5 * rows.mass[slot] * squares
+        val r = rows.state[slot * STRIDE + StepRows.RADIUS]
+        val turns = rows.wx[slot] * rows.wx[slot] + rows.wy[slot] * rows.wy[slot] + rows.wz[slot] * rows.wz[slot]
+        return 0.5 * rows.mass[slot] * (squares + momentFactor * r * r * turns)
+    }
+
     /** For spheres and walls. */
     internal val spins = SpinExchange(momentFactor, turning)
 

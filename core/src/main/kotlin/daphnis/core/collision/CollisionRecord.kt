@@ -49,8 +49,8 @@ public class CollisionRecord() : GrowingTable() {
         private set
 
     /**
-     * Impact speed, coefficient, impulse, separation x y z, tangential impulse x y z, surface dissipation, energy handed
-     * over: eleven numbers per collision, the four before the last 0 for smooth spheres.
+     * Impact speed, coefficient, impulse, separation x y z, tangential impulse x y z, surface dissipation, energy
+     * handed over: eleven numbers per collision, the four before the last 0 for smooth spheres.
      */
     public var data: DoubleArray = DoubleArray(0)
         private set
@@ -92,8 +92,8 @@ public class CollisionRecord() : GrowingTable() {
 
     /**
      * Kinetic energy that the impulse along the normal brought from the sphere with the lower id to that with the
-     * higher one: [impulse] times the velocity of their centre of mass along the normal. It is all that they exchange if
-     * the impact is elastic and both are smooth. Velocities are those in the box, without the slide of images. 0 for
+     * higher one: [impulse] times the velocity of their centre of mass along the normal. It is all that they exchange
+     * if the impact is elastic and both are smooth. Velocities are those in the box, without the slide of images. 0 for
      * walls, and where [add] was not told of velocities.
      */
     public fun handedOver(k: Int): Double = data[k * WIDTH + HANDED_OVER]

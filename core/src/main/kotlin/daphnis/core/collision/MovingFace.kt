@@ -132,9 +132,9 @@ internal class MovingFace(private val isLower: Boolean, private val motion: Wall
     fun leaving(speed: Double, t: Double): Double = velocity(t) + inward * speed + 0.0
 
     /**
-     * The speed of a sphere of radius [r] that leaves at [t], where the law of the wall says [speed], unless it would be
-     * back so soon that bounces on the way to rest have no end: see docs/physics.md. Long steps add nothing: the time
-     * to be back is short for the cycle of the wall too, and for the height of a radius.
+     * The speed of a sphere of radius [r] that leaves at [t], where the law of the wall says [speed], unless it would
+     * be back so soon that bounces on the way to rest have no end: see docs/physics.md. Long steps add nothing: the
+     * time to be back is short for the cycle of the wall too, and for the height of a radius.
      *
      * @param restitution of the wall: 1 for elastic bounces
      */

@@ -6,8 +6,8 @@ import daphnis.core.population.ExactSum
 import daphnis.core.population.Population
 
 /**
- * Moves the pistons of a boundary at the end of each step, by the exact sums of the impulses that they gave: the order in
- * which an engine found them changes no bit. See [daphnis.core.boundary.Piston].
+ * Moves the pistons of a boundary at the end of each step, by the exact sums of the impulses that they gave: the order
+ * in which an engine found them changes no bit. See [daphnis.core.boundary.Piston].
  *
  * @param largest the largest radius, for which walls must leave room
  */

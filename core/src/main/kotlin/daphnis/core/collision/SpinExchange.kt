@@ -14,19 +14,20 @@ import kotlin.math.sqrt
  *
  * **g** = **u** − (**u**·**n**) **n** − (r₁ **ω**₁ + r₂ **ω**₂) × **n**,
  *
- * the first sphere receives the momentum **J** = μ (1 + β) q/(1 + q) **g**, the second −**J**, and **ω** of each grows by
+ * the first sphere receives the momentum **J** = μ (1 + β) q/(1 + q) **g**, the second −**J**, and **ω** of each grows
+ * by
  * **n** × **J** / (q m r). After that the surfaces move with −β **g**. A wall is a second sphere of infinite mass that
  * does not turn.
  *
  * **Levers.** The impulse acts at one point, which divides the separation as the radii are: at r₁ **l** from the first
  * centre, with **l** the separation over r₁ + r₂. So angular momentum is conserved to round-off, also by spheres that
- * overlap after a wrap. **l** takes the place of **n**, and l²/q that of 1/q: what rounding makes of the length of **l**
- * is no energy, and no square root is needed.
+ * overlap after a wrap. **l** takes the place of **n**, and l²/q that of 1/q: what rounding makes of the length of
+ * **l** is no energy, and no square root is needed.
  *
  * **Hill's frame.** Between collisions a spin whose axes turn with angular speed [turning] about z turns backwards in
  * them. Within a step spins are kept in the axes of its start, in which they rest, so a sphere changes only at its own
- * collisions. An impact turns them to its time and what it adds back; [daphnis.core.hill.HillFrame] turns all at the end
- * of the step.
+ * collisions. An impact turns them to its time and what it adds back; [daphnis.core.hill.HillFrame] turns all at the
+ * end of the step.
  *
  * @param turning Ω of the axes in which spins are given
  */

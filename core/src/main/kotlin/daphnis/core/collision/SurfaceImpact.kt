@@ -75,7 +75,7 @@ internal class SurfaceImpact(
         outcome.separationZ = r * (nz / length)
         // Else it leaves, by rounding, or the wall has turned around at this very moment.
         if (speed < 0.0) return
-        val coefficient = guarded(rows, slot, speed, time)
+        val coefficient = law.atWall(restitution, rows, slot, speed, time)
         val needed = maxOf(least(coefficient), VELOCITY_ROUNDING * fastest(rows, slot, slope, moving))
         val leaving = maxOf(coefficient * speed, needed)
         // Without a square root, that would cost energy, unless the speed is that needed.
@@ -86,8 +86,8 @@ internal class SurfaceImpact(
     }
 
     /**
-     * Gives the sphere the speed [kick] along the unit normal (nx, ny, nz), unless the wall is thermal, and what it gets
-     * along the surface.
+     * Gives the sphere the speed [kick] along the unit normal (nx, ny, nz), unless the wall is thermal, and what it
+     * gets along the surface.
      */
     fun exchange(
         rows: StepRows,
@@ -193,21 +193,7 @@ internal class SurfaceImpact(
         val state = rows.state
         var squares = 0.0
         for (k in VX until VX + 3) squares += state[p + k] * state[p + k]
-        if (rows.hasSpin) {
-            val r = state[p + RADIUS]
-            val turns = rows.wx[slot] * rows.wx[slot] + rows.wy[slot] * rows.wy[slot] + rows.wz[slot] * rows.wz[slot]
-            squares += law.momentFactor * r * r * turns
-        }
-        return 0.5 * rows.mass[slot] * squares
-    }
-
-    /** The coefficient of restitution, which the guard may make 1 as between spheres. */
-    private fun guarded(rows: StepRows, slot: Int, speed: Double, time: Double): Double {
-        val guard = law.guard
-        if (!guard.needsLastCollision) return if (guard.makesElastic(speed, 0.0, 0.0)) 1.0 else restitution
-        val since = time - rows.lastCollision[slot]
-        rows.lastCollision[slot] = time
-        return if (guard.makesElastic(speed, since, Double.POSITIVE_INFINITY)) 1.0 else restitution
+        return law.energy(rows, slot, squares)
     }
 
     companion object {

@@ -180,8 +180,8 @@ internal class SurfaceWall(
     }
 
     /**
-     * How long a sphere of radius [r] which keeps to a line, now at ([x], [y], [z]), surely does not touch; [NEVER] when
-     * it cannot at all. See [spread].
+     * How long a sphere of radius [r] which keeps to a line, now at ([x], [y], [z]), surely does not touch; [NEVER]
+     * when it cannot at all. See [spread].
      */
     fun soonest(x: Double, y: Double, z: Double, vx: Double, vy: Double, vz: Double, r: Double): Double {
         val dx = x - ox - middle * surface.way[0]

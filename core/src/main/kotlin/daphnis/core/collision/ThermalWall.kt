@@ -30,7 +30,10 @@ internal class ThermalWall(
         seed = ofSteps.word(0).toLong() shl 32 or (ofSteps.word(1).toLong() and WORD)
     }
 
-    /** Draws the velocity of [slot] along the wall, and returns the speed with which it leaves. Several threads may call. */
+    /**
+     * Draws the velocity of [slot] along the wall, and returns the speed with which it leaves. Several threads may
+     * call.
+     */
     fun draw(rows: StepRows, slot: Int, time: Double): Double {
         val random = CounterRandom(seed)
         random.draw(rows.id[slot], time, rows.streak(slot) - 1)

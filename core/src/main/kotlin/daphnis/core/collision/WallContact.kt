@@ -163,7 +163,7 @@ public class WallContact {
         outcome.impactSpeed = maxOf(speed, 0.0)
         // Else the wall has turned around at this very moment.
         if (speed < 0.0) return
-        val own = if (wall == null) restitution[face] else guarded(rows, slot, face, speed, time)
+        val own = if (wall == null) restitution[face] else law!!.atWall(restitution[face], rows, slot, speed, time)
         val coefficient = pistons[face]?.coefficient(own, rows.mass[slot]) ?: own
         val leaving = alongWall(rows, slot, face, speed, coefficient, time, outcome)
         rows.state[v] = if (wall == null) {
@@ -240,23 +240,7 @@ public class WallContact {
             val u = rows.state[slot * STRIDE + VX + k] - bow(k, time)
             squares += u * u
         }
-        if (rows.hasSpin) {
-            val r = rows.state[slot * STRIDE + RADIUS]
-            val turns = rows.wx[slot] * rows.wx[slot] + rows.wy[slot] * rows.wy[slot] + rows.wz[slot] * rows.wz[slot]
-            squares += law!!.momentFactor * r * r * turns
-        }
-        return 0.5 * rows.mass[slot] * squares
-    }
-
-    /** The coefficient of restitution of a wall that moves, which the guard may make 1 as between spheres. */
-    private fun guarded(rows: StepRows, slot: Int, face: Int, speed: Double, time: Double): Double {
-        val guard = law!!.guard
-        if (!guard.needsLastCollision) {
-            return if (guard.makesElastic(speed, 0.0, 0.0)) 1.0 else restitution[face]
-        }
-        val since = time - rows.lastCollision[slot]
-        rows.lastCollision[slot] = time
-        return if (guard.makesElastic(speed, since, Double.POSITIVE_INFINITY)) 1.0 else restitution[face]
+        return law!!.energy(rows, slot, squares)
     }
 
     public companion object {

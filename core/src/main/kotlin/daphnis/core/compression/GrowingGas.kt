@@ -24,7 +24,9 @@ internal class GrowingGas private constructor(val spheres: Population, private v
 
     /** Told of a step; true ends the growth. */
     fun interface After {
-        /** There were [collisions] since growth began, and radii grew in the step by the part [growth] of those then. */
+        /**
+         * There were [collisions] since growth began, and radii grew in the step by the part [growth] of those then.
+         */
         fun step(growing: GrowingSpheres, collisions: Long, growth: Double): Boolean
     }
 
@@ -78,8 +80,8 @@ internal class GrowingGas private constructor(val spheres: Population, private v
         private const val LAST = 1e-12
 
         /**
-         * Spheres at [start] with the [part] of [radii]. In a unit of time one flies a mean diameter of these, at the speed of
-         * a component.
+         * Spheres at [start] with the [part] of [radii]. In a unit of time one flies a mean diameter of these, at the
+         * speed of a component.
          */
         fun of(start: Positions, radii: DoubleArray, part: Double, box: Box, random: SeededRandom): GrowingGas {
             val n = radii.size

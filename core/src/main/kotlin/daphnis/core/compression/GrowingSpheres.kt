@@ -15,14 +15,14 @@ import kotlin.math.abs
 import kotlin.math.sqrt
 
 /**
- * A periodic box in which all spheres grow in proportion while they collide: the radius of sphere i at time t is aᵢ (1 +
- * Γ (t − from)) (Lubachevsky & Stillinger 1990, J. Stat. Phys. 60, 561). It is the boundary of a simulation, which acts
- * as its [Drift] too; there is no other. A pair in contact flies apart at the speed at which its surfaces move apart,
- * in addition to what the law of collisions makes of the speed at which they met.
+ * A periodic box in which all spheres grow in proportion while they collide: the radius of sphere i at time t is aᵢ (1
+ * + Γ (t − from)) (Lubachevsky & Stillinger 1990, J. Stat. Phys. 60, 561). It is the boundary of a simulation, which
+ * acts as its [Drift] too; there is no other. A pair in contact flies apart at the speed at which its surfaces move
+ * apart, in addition to what the law of collisions makes of the speed at which they met.
  *
- * **No engine knows of radii that change.** Let γ be the rate at the start of a step of length h, a(t) = a₀ (1 + γ t), and
- * s = 1 + γ h. In the coordinates x′ = x/(1 + γ t) radii are fixed, and in the time t′ = s t/(1 + γ t), which ends at h
- * too, free paths are straight: x′ = x₀ + (v − γ x₀) t′/s. Only the box shrinks: images approach at the rate γ/s
+ * **No engine knows of radii that change.** Let γ be the rate at the start of a step of length h, a(t) = a₀ (1 + γ t),
+ * and s = 1 + γ h. In the coordinates x′ = x/(1 + γ t) radii are fixed, and in the time t′ = s t/(1 + γ t), which ends
+ * at h too, free paths are straight: x′ = x₀ + (v − γ x₀) t′/s. Only the box shrinks: images approach at the rate γ/s
  * ([approach]). So a step is one of fixed spheres with velocities (v − γ x)/s, after which a velocity w means v = w +
  * γ x′, and all lengths are multiplied by s. Free paths and contacts are exact, for any length of the step.
  *
@@ -86,8 +86,8 @@ public class GrowingSpheres @JvmOverloads constructor(
     public fun scaleAt(time: Double): Double = 1 + rate * (time - from)
 
     /**
-     * @throws IllegalArgumentException for a step in which radii change by more than a tenth, or shrink to nothing, or a
-     *   sphere touches its own image
+     * @throws IllegalArgumentException for a step in which radii change by more than a tenth, or shrink to nothing, or
+     *   a sphere touches its own image
      */
     override fun beforeDrift(population: Population, start: Double, duration: Double) {
         gamma = rate / scaleAt(start)
@@ -168,8 +168,8 @@ public class GrowingSpheres @JvmOverloads constructor(
     private val means = DoubleArray(AXES)
 
     /**
-     * That of velocities around their mean, which is in [means] afterwards; the same bits for any order of spheres. 0 where
-     * it is lost in the rounding of the energy of all, or of the velocities of a step with the rate [gamma].
+     * That of velocities around their mean, which is in [means] afterwards; the same bits for any order of spheres. 0
+     * where it is lost in the rounding of the energy of all, or of the velocities of a step with the rate [gamma].
      */
     private fun energy(population: Population, gamma: Double): Double {
         fold.over(population, loop) { fold.first(sums) }

@@ -15,7 +15,8 @@ import kotlin.math.sqrt
 /**
  * Random places of any density up to jamming: spheres so small that they fill a fifth of the box are placed at random,
  * and then all grow in proportion to their radii while they collide elastically ([GrowingSpheres], with its
- * thermostat), the slower the denser they are. Spheres that fill less than a fifth are placed at random and do not move.
+ * thermostat), the slower the denser they are. Spheres that fill less than a fifth are placed at random and do not
+ * move.
  *
  * The state is near equilibrium, not in it: at the filling factor 0.5 the pressure is 11 % above that of Carnahan &
  * Starling at first, and within 1 % of it after two diameters over the thermal speed.
@@ -30,7 +31,9 @@ public class GrownPlacement internal constructor(private val threads: Int, priva
     @JvmOverloads
     public constructor(threads: Int = 1) : this(threads, MOST_WORK)
 
-    /** @throws PlacementException also for walls, and when spheres jam before they have their radii, or cannot have them */
+    /**
+     * @throws PlacementException also for walls, and when spheres jam before they have their radii, or cannot have them
+     */
     override fun place(radii: DoubleArray, box: Box, walled: BooleanArray, random: SeededRandom): Positions {
         check(radii, box, walled)
         val filling = fillingFactor(radii, box)
@@ -42,8 +45,8 @@ public class GrownPlacement internal constructor(private val threads: Int, priva
 
     /**
      * Places spheres with these [radii] times one factor at which the reduced pressure P V/(N kT) is [pressure] as they
-     * grow, on average over the last five collisions of each. From four fifths of it on they grow by a five-hundredth in
-     * the time in which one flies a mean diameter: up to the freezing of equal spheres, the pressure is that of
+     * grow, on average over the last five collisions of each. From four fifths of it on they grow by a five-hundredth
+     * in the time in which one flies a mean diameter: up to the freezing of equal spheres, the pressure is that of
      * equilibrium within some percent.
      *
      * @throws PlacementException also when there are fewer than two, and when they jam or touch their own images before
@@ -196,7 +199,10 @@ public class GrownPlacement internal constructor(private val threads: Int, priva
         val STAGES = listOf(Stage(0.45, 0.5), Stage(0.55, 0.1), Stage(0.6, 0.02))
         const val SLOWEST = 0.002
 
-        /** Collisions per sphere in a stage; pressures that diverge as 3/(1 − φ/φ_J) take some 5,000 to [GrowingGas.JAMMED]. */
+        /**
+         * Collisions per sphere in a stage; pressures that diverge as 3/(1 − φ/φ_J) take some 5,000 to
+         * [GrowingGas.JAMMED].
+         */
         const val MOST_WORK = 50_000
 
         /** Filling factors above which equal ones do not come. */
@@ -207,7 +213,10 @@ public class GrownPlacement internal constructor(private val threads: Int, priva
         const val PER_PRESSURE = 0.1
         const val HALF = 0.5
 
-        /** Collisions of each sphere that a pressure is the mean of; fewer spheres than [FEW] need more, and time for them. */
+        /**
+         * Collisions of each sphere that a pressure is the mean of; fewer spheres than [FEW] need more, and time for
+         * them.
+         */
         const val WINDOW = 5.0
         const val FEW = 500.0
 

@@ -1,8 +1,8 @@
 package daphnis.core.compression
 
 /**
- * The mean of the reduced pressure of growing spheres over their last collisions: steps are weighted by their growth, and
- * one counts e times less after [collisions] more.
+ * The mean of the reduced pressure of growing spheres over their last collisions: steps are weighted by their growth,
+ * and one counts e times less after [collisions] more.
  */
 internal class PressureWindow(private val collisions: Double) {
     private var weighted = 0.0
@@ -15,7 +15,10 @@ internal class PressureWindow(private val collisions: Double) {
     /** Whether there have been so many collisions that the mean is worth something. */
     val isFull: Boolean get() = counted > FULL * collisions
 
-    /** Takes in a step with [count] collisions in which radii grew by the part [growth] at the [pressure]; NaN is left out. */
+    /**
+     * Takes in a step with [count] collisions in which radii grew by the part [growth] at the [pressure]; NaN is left
+     * out.
+     */
     fun add(pressure: Double, growth: Double, count: Long) {
         if (pressure.isNaN()) return
         val fade = StrictMath.exp(-count / collisions)

@@ -9,8 +9,8 @@ import java.nio.file.Path
 
 /**
  * A table of spheres as text: a header with `x, y, z, radius` and optionally `vx, vy, vz, mass, omegax, omegay, omegaz,
- * material, id` in any order, then one line per sphere. A table of discs may do without z, vz, omegax and omegay. Materials
- * are names, or numbers from 0 on. Lines that are empty or begin with `#` are skipped.
+ * material, id` in any order, then one line per sphere. A table of discs may do without z, vz, omegax and omegay.
+ * Materials are names, or numbers from 0 on. Lines that are empty or begin with `#` are skipped.
  */
 public object ParticleCsv : ReadableFormat {
     override val title: String = "table with a header"

@@ -6,9 +6,9 @@ import kotlin.math.ceil
 import kotlin.math.sqrt
 
 /**
- * A lattice stretched to fit the box, with as many cells along each axis as leave the spheres farthest apart. Sites that
- * are left empty beyond [vacancies], if there are more than needed, are spread evenly. Face-centred cubic reaches a
- * filling factor of 0.6 and more in boxes that take whole cells. In a flat box the lattice is hexagonal or square.
+ * A lattice stretched to fit the box, with as many cells along each axis as leave the spheres farthest apart. Sites
+ * that are left empty beyond [vacancies], if there are more than needed, are spread evenly. Face-centred cubic reaches
+ * a filling factor of 0.6 and more in boxes that take whole cells. In a flat box the lattice is hexagonal or square.
  *
  * @param vacancies share of the sites that stay empty, in [0, 1); which ones is drawn
  */
@@ -57,8 +57,8 @@ public class LatticePlacement @JvmOverloads constructor(
     }
 
     /**
-     * One line about the lattice of [place] where cells are stretched by more than 5 %, or more than 1 % of the sites stay
-     * empty besides [vacancies]; otherwise null.
+     * One line about the lattice of [place] where cells are stretched by more than 5 %, or more than 1 % of the sites
+     * stay empty besides [vacancies]; otherwise null.
      */
     internal fun remark(radii: DoubleArray, box: Box, walled: BooleanArray): String? {
         val wanted = wantedFor(radii.size)

@@ -58,7 +58,7 @@ internal class BodyOrbits(private val times: OutputTimes, private val sums: Step
     }
 
     private fun addImpacts(simulation: Simulation) {
-        val record = checkNotNull(simulation.collisions?.record) { "collisions are not recorded" }
+        val record = simulation.recordOfStep()
         val duration = simulation.lastDuration
         for (k in 0 until record.size) {
             // Bodies have the highest ids.

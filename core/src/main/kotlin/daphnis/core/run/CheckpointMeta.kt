@@ -61,7 +61,8 @@ internal class CheckpointMeta(
     /** Puts the pistons of [boundary] where they were. */
     fun putPistons(boundary: BoundaryConditions) {
         for ((face, piston) in boundary.pistons) {
-            val (position, speed) = pistons[face] ?: continue
+            val (position, speed) =
+                requireNotNull(pistons[face]) { "it does not say where the piston at face $face is" }
             piston.put(position, speed)
         }
     }

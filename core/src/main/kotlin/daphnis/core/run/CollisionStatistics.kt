@@ -90,10 +90,7 @@ public class CollisionStatistics @JvmOverloads constructor(public val from: Doub
     override fun write(simulation: Simulation) {
         if (simulation.step == lastStep || simulation.step == 0L || simulation.time <= from) return
         lastStep = simulation.step
-        val record =
-            checkNotNull(simulation.collisions?.record) {
-                "collisions are not recorded; make CollisionForcing with recordCollisions = true"
-            }
+        val record = simulation.recordOfStep()
         for (k in 0 until record.size) if (!record.isWall(k)) add(record, k)
         sumWaiting()
     }

@@ -98,8 +98,8 @@ internal class Execution(
     }
 
     /**
-     * Spheres that grow and collide without end, or fail otherwise at a high pressure, are jammed, and the state is still
-     * that before the step.
+     * Spheres that grow and collide without end, or fail otherwise at a high pressure, are jammed, and the state is
+     * still that before the step.
      */
     private fun reason(e: Exception): String {
         val said = e.message ?: e.javaClass.name

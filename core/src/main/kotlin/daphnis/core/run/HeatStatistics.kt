@@ -15,18 +15,15 @@ public class HeatStatistics : Output {
     private var lastStep = -1L
 
     /**
-     * Σ ΔE δ_a along [axis], mass · length³/time²: over volume and time it is the collisional part of the heat flux in a
-     * gas whose centre of mass is at rest.
+     * Σ ΔE δ_a along [axis], mass · length³/time²: over volume and time it is the collisional part of the heat flux in
+     * a gas whose centre of mass is at rest.
      */
     public fun carried(axis: Int): Double = sums[axis].value()
 
     override fun write(simulation: Simulation) {
         if (simulation.step == lastStep || simulation.step == 0L) return
         lastStep = simulation.step
-        val record =
-            checkNotNull(simulation.collisions?.record) {
-                "collisions are not recorded; make CollisionForcing with recordCollisions = true"
-            }
+        val record = simulation.recordOfStep()
         for (k in 0 until record.size) {
             if (record.isWall(k)) continue
             for (axis in 0..2) sums[axis].add(record.handedOver(k) * record.separation(k, axis))

@@ -66,9 +66,9 @@ internal class SeriesRow(val simulation: Simulation, stepSums: StepSums) {
 }
 
 /**
- * The columns of `series.csv`; `docs/guide.md` says what they mean. A further quantity is a further line here. Those from
- * [ROTATIONAL_ENERGY] on are only there where spheres have spins, [FILLING_FACTOR] and [REDUCED_PRESSURE] where they
- * grow, and those of a piston where that wall is one.
+ * The columns of `series.csv`; `docs/guide.md` says what they mean. A further quantity is a further line here. Those
+ * from [ROTATIONAL_ENERGY] on are only there where spheres have spins, [FILLING_FACTOR] and [REDUCED_PRESSURE] where
+ * they grow, and those of a piston where that wall is one.
  */
 public object SeriesColumns : TableColumns {
     internal val rows = Columns<SeriesRow>("series.csv")
@@ -159,7 +159,9 @@ public object SeriesColumns : TableColumns {
             row.pistons[face]?.speed ?: Double.NaN
         }
 
-    /** Of the motion of all pistons and in their forces: with [TOTAL_ENERGY] it is conserved where impacts conserve it. */
+    /**
+     * Of the motion of all pistons and in their forces: with [TOTAL_ENERGY] it is conserved where impacts conserve it.
+     */
     @JvmField
     public val PISTON_ENERGY: Column =
         rows.number("piston_energy", Dimension.ENERGY) { row -> row.pistons.values.sumOf { it.energy } }

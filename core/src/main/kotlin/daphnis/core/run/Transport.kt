@@ -85,8 +85,8 @@ internal class TransportRow(
 
 /**
  * The columns of `transport.csv`; `docs/guide.md` says what they mean. A further quantity is a further line here. Those
- * from `virial_yx` on are only there where spheres have spins, those from [WALL_WORK] on where walls move or are thermal,
- * and those from [KINETIC_HEAT] on of smooth elastic gases at rest.
+ * from `virial_yx` on are only there where spheres have spins, those from [WALL_WORK] on where walls move or are
+ * thermal, and those from [KINETIC_HEAT] on of smooth elastic gases at rest.
  */
 public object TransportColumns : TableColumns {
     private val COMPONENTS = listOf("xx", "yy", "zz", "xy", "xz", "yz")

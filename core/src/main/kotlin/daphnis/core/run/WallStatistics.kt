@@ -36,10 +36,7 @@ public class WallStatistics : Output {
     override fun write(simulation: Simulation) {
         if (simulation.step == lastStep || simulation.step == 0L) return
         lastStep = simulation.step
-        val record =
-            checkNotNull(simulation.collisions?.record) {
-                "collisions are not recorded; make CollisionForcing with recordCollisions = true"
-            }
+        val record = simulation.recordOfStep()
         for (k in 0 until record.size) {
             if (!record.isWall(k)) continue
             count++

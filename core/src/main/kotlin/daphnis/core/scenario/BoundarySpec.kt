@@ -117,6 +117,9 @@ public sealed interface BoundarySpec {
                 check.must(key, !box.space.isPlane || shape.isSameAlong(2)) {
                     "is not the same everywhere along z; with dimensions 2 take a cylinder along z, or a plane along it"
                 }
+                check.must("$key.belt", !box.space.isPlane || !shape.isPlane || shape.turning[2] == 0.0) {
+                    "moves along z, out of the plane of the discs"
+                }
                 for (axis in 0 until box.space.dimensions) {
                     val isOpen = !walled[axis] && !isEnclosed(axis, box, shapes)
                     check.must(key, !isOpen || shape.isSameAlong(axis)) {

@@ -1,8 +1,8 @@
 package daphnis.core.scenario
 
 /**
- * Whether a run sums what heat the spheres carry: only where it writes `transport.csv`, and the gas is at rest and
- * elastic, so that its conductivity follows.
+ * Whether a run sums what heat the spheres carry: only where it writes `transport.csv`, and a gas of spheres is at
+ * rest and elastic, so that its conductivity follows.
  */
 internal val ScenarioSetup.carriesHeat: Boolean
     get() = scenario.isElasticAtRest &&

@@ -67,8 +67,8 @@ internal class GrowthSetup(private val scenario: Scenario, private val check: Va
     fun longest(): Double = if (spec == null || spec.rate == 0.0) Double.MAX_VALUE else PART / abs(spec.rate)
 
     /**
-     * Checks that [population], with which a run to the time [end] begins with a step of [duration], has room to grow in
-     * [box].
+     * Checks that [population], with which a run to the time [end] begins with a step of [duration], has room to grow
+     * in [box].
      */
     fun checkStart(population: Population, box: Box, duration: Double, end: Double) {
         if (spec == null || spec.rate == 0.0 || population.size == 0) return
@@ -94,8 +94,8 @@ internal class GrowthSetup(private val scenario: Scenario, private val check: Va
     }
 
     /**
-     * Checks that [population], at time [now], can have the radii of the time [end], in steps of [duration]. Spheres that
-     * shrink do so the faster the smaller they are.
+     * Checks that [population], at time [now], can have the radii of the time [end], in steps of [duration]. Spheres
+     * that shrink do so the faster the smaller they are.
      */
     fun checkEnd(population: Population, box: Box, duration: Double, now: Double, end: Double) {
         if (spec == null || spec.rate == 0.0 || population.size == 0 || end <= now) return
@@ -109,20 +109,13 @@ internal class GrowthSetup(private val scenario: Scenario, private val check: Va
         }
         if (spec.rate < 0) {
             // Over the radii at the start, when the last step begins.
-            val least = if (goal ==
-                null
-            ) {
-                0.0
-            } else {
-                scaleAt(now) * (if (box.space.isPlane) sqrt(goal / filling) else cbrt(goal / filling))
-            }
+            fun edge(part: Double) = if (box.space.isPlane) sqrt(part) else cbrt(part)
+            val least = goal?.let { scaleAt(now) * edge(it / filling) } ?: 0.0
             val last = maxOf(scaleAt(end - minOf(duration, end - now)), least)
             val change = abs(spec.rate) * duration / last
             check.that("growth.rate", spec.rate, change <= GrowingSpheres.MOST) {
-                "shrinks radii by ${"%.2g".format(
-                    Locale.ROOT,
-                    change,
-                )} of what they are in the last step of $duration; " +
+                val part = "%.2g".format(Locale.ROOT, change)
+                "shrinks radii by $part of what they are in the last step of $duration; " +
                     "a tenth is the most; take a smaller dt or an earlier end"
             }
         } else if (goal == null && spec.untilPressure == null) {

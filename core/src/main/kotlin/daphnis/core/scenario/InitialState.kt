@@ -170,8 +170,7 @@ internal class InitialState(
         check.that("placement.vacancies", spec.vacancies, spec.vacancies >= 0 && spec.vacancies < 1) {
             "must be a share of the sites, at least 0 and less than 1"
         }
-        val densest = if (box.space.isPlane) LatticeName.HEXAGONAL else LatticeName.FCC
-        val lattice = (spec.lattice ?: densest).lattice
+        val lattice = (spec.lattice ?: densestLattice(box.space)).lattice
         check.must("placement.lattice", lattice.isPlane == box.space.isPlane) {
             if (lattice.isPlane) {
                 "is of discs, which need dimensions 2"

@@ -1,6 +1,7 @@
 package daphnis.core.scenario
 
 import daphnis.core.initial.Lattice
+import daphnis.core.space.Space
 import kotlinx.serialization.EncodeDefault
 import kotlinx.serialization.ExperimentalSerializationApi
 import kotlinx.serialization.SerialName
@@ -36,7 +37,11 @@ public sealed interface PlacementSpec {
     public class Lattice @JvmOverloads constructor(
         @EncodeDefault(EncodeDefault.Mode.NEVER) public val lattice: LatticeName? = null,
         @EncodeDefault(EncodeDefault.Mode.NEVER) public val vacancies: Double = 0.0,
-    ) : PlacementSpec
+    ) : PlacementSpec {
+        /** The same with its lattice, the densest in [space] where none is given. */
+        internal fun settled(space: Space): Lattice =
+            if (lattice != null) this else Lattice(densestLattice(space), vacancies)
+    }
 
     /**
      * Positions, velocities, radii, masses and ids from a file of any [daphnis.core.format.SnapshotFormat]; [path] is
@@ -48,8 +53,8 @@ public sealed interface PlacementSpec {
      * @property wrap whether spheres outside the box are put back along axes that repeat, however far they are; without
      *   it only those that the rounding of single precision put outside
      * @property overlaps what becomes of spheres that overlap
-     * @property materials names of what spheres are made of: the file says which sphere is of which, by these names or by
-     *   number; without them spheres have no materials
+     * @property materials names of what spheres are made of: the file says which sphere is of which, by these names or
+     *   by number; without them spheres have no materials
      * @property run the run directory whose state it is, when a run was started from that
      * @property clock of that run
      */
@@ -120,3 +125,6 @@ public enum class LatticeName(internal val lattice: Lattice) {
     @SerialName("square")
     SQUARE(Lattice.SQUARE),
 }
+
+/** The densest lattice in [space], which is meant where none is named. */
+internal fun densestLattice(space: Space): LatticeName = if (space.isPlane) LatticeName.HEXAGONAL else LatticeName.FCC

@@ -58,8 +58,8 @@ public interface ScenarioParts {
     }
 
     /**
-     * What impacts of each pair of [materials] are like, each with its restitution, and null for smooth surfaces; one entry
-     * between none where nothing is named.
+     * What impacts of each pair of [materials] are like, each with its restitution, and null for smooth surfaces; one
+     * entry between none where nothing is named.
      */
     public val impacts: List<ContactSpec> get() {
         val names = materials

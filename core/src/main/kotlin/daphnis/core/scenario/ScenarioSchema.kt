@@ -80,7 +80,9 @@ public object ScenarioSchema {
             return JsonObject(mapOf("\$ref" to JsonPrimitive("#/\$defs/$name")))
         }
 
-        /** An object with the fields of [descriptor] and with [others], which says that it is of [type] if there is one. */
+        /**
+         * An object with the fields of [descriptor] and with [others], which says that it is of [type] if there is one.
+         */
         private fun fields(
             descriptor: SerialDescriptor,
             type: String?,

@@ -156,7 +156,9 @@ public class ScenarioSetup private constructor(
             val boundary = forceSetup.boundary
             val guardSpec = resolve(scenario.guard ?: defaultGuard(scenario), population, check)
             val timeStepSpec = resolve(around.timeStep, around, population)
-            val resolved = ResolvedScenario(scenario, around.end, guardSpec, timeStepSpec, firstBody, output)
+            val placement = (scenario.placement as? PlacementSpec.Lattice)?.settled(boundary.space)
+            val settled = if (placement == null) scenario else scenario.copy(placement = placement)
+            val resolved = ResolvedScenario(settled, around.end, guardSpec, timeStepSpec, firstBody, output)
             val timeStep = timeStep(resolved, boundary, GrowthSetup(scenario, check).longest(), check)
             val first = timeStep.next(population)
             checkSteps(resolved, first, check)

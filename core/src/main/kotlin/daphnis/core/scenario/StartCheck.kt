@@ -5,10 +5,6 @@ import daphnis.core.TimeStep
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.ContactFaces
 import daphnis.core.boundary.ShearedPeriodic
-import daphnis.core.boundary.WallMotion
-import daphnis.core.boundary.leastRoom
-import daphnis.core.boundary.pistons
-import daphnis.core.boundary.planesApart
 import daphnis.core.boundary.roomAt
 import daphnis.core.force.mesh.MeshPoints
 import daphnis.core.format.SnapshotCheck
@@ -16,7 +12,6 @@ import daphnis.core.population.Population
 import daphnis.core.search.Overlap
 import daphnis.core.search.Reach
 import kotlin.math.abs
-import kotlin.math.sqrt
 
 /**
  * Checks that a population can start in its box: all spheres are inside, the box is wide enough for its images, and no
@@ -27,8 +22,10 @@ internal class StartCheck(
     private val population: Population,
     private val boundary: BoundaryConditions,
     private val check: ValueCheck,
-    private val end: Double,
+    end: Double,
 ) {
+    private val walls = WallCheck(scenario, population, boundary, check, end)
+
     /** @param isPlaced false where spheres placed at random are not where they will be */
     fun check(timeStep: TimeStep, isPlaced: Boolean = true) {
         // A length of step that follows from speeds is not known before the flow at the places is in them.
@@ -50,20 +47,22 @@ internal class StartCheck(
                     check.that(key, length, length > 2 * largest) {
                         "must exceed the diameter of the largest sphere, ${2 * largest}"
                     }
-                    val duration = if (isKnown) timeStep.next(population) else 0.0
-                    checkMotion(axis, largest, duration)
-                    checkFall(axis, duration)
+                    walls.check(axis, largest, if (isKnown) timeStep.next(population) else 0.0)
                 }
                 // Moonlets may stick out of the slab in which particles are placed.
                 ContactFaces.OPEN, ContactFaces.WRAPPING -> {
+                    // Of an axis that a surface closes.
+                    if (isKnown && boundary.surfaces.isNotEmpty()) walls.checkFall(axis, timeStep.next(population))
                     val hasRoom = scenario.bodies.isNotEmpty() || length > 2 * largest
                     check.must(key, hasRoom) { "is $length; it is thinner than the largest sphere, ${2 * largest}" }
                 }
             }
             if (boundary.contactFaces(axis) != ContactFaces.OPEN) checkInside(axis)
         }
+        walls.checkPistons()
         checkSurfaces()
-        population.radius.maxOrNull()?.let { checkPlanes(it) }
+        if (isKnown) walls.checkSurfaceMotions(timeStep.next(population))
+        walls.checkPlanes(largest)
         if (isKnown) {
             checkSlide(timeStep)
             checkJumps(timeStep)
@@ -83,75 +82,14 @@ internal class StartCheck(
         }
     }
 
+    /** What a run that goes on needs too, as it may go on for longer than was checked at its start. */
+    fun checkRooms(): Unit = walls.checkRooms()
+
     /** An error of the search about sizes that it cannot compute becomes an error in the scenario. */
     private inline fun <T> computable(key: String, work: () -> T): T = try {
         work()
     } catch (e: IllegalArgumentException) {
         check.fail(key, e.message.orEmpty())
-    }
-
-    private fun checkMotion(axis: Int, largest: Double, duration: Double) {
-        val motions = (0..1).mapNotNull { boundary.wallMotion(2 * axis + it) }
-        if (motions.isEmpty()) return
-        val frequency = motions.maxOf { (it as? WallMotion.Periodic)?.frequency ?: 0.0 }
-        check.must("timeStep", frequency * duration <= MOST_CYCLES) {
-            "is so long that a wall across ${"xyz"[axis]} has ${frequency * duration} cycles in a step; " +
-                "take a smaller dt"
-        }
-        checkRoom(axis, largest)
-        checkPistons()
-    }
-
-    /** Checks of walls what a run that goes on needs too, as it may go on for longer than was checked at its start. */
-    fun checkRooms() {
-        checkPistons()
-        val largest = population.radius.maxOrNull() ?: return
-        for (axis in 0 until boundary.space.dimensions) checkRoom(axis, largest)
-        checkPlanes(largest)
-    }
-
-    private fun checkPlanes(largest: Double) {
-        for (walls in boundary.planesApart(scenario.startTime, end)) {
-            check.must(walls.first, walls.apart > 2 * largest) {
-                "comes as near to ${walls.second} as ${walls.apart}; that must exceed the diameter of the largest " +
-                    "sphere, ${2 * largest}"
-            }
-        }
-    }
-
-    /** A piston that is as light as a sphere would have to recoil within the step. */
-    private fun checkPistons() {
-        val heaviest = population.mass.maxOrNull() ?: return
-        for ((face, piston) in boundary.pistons) {
-            check.that(
-                "${WallFacesSpec.KEY}.${WallFacesSpec.NAMES[face]}.motion.mass",
-                piston.mass,
-                piston.mass >= LIGHTEST * heaviest,
-            ) {
-                "must be $LIGHTEST times the mass of the heaviest sphere, $heaviest, or more"
-            }
-        }
-    }
-
-    private fun checkRoom(axis: Int, largest: Double) {
-        if (boundary.wallMotion(2 * axis) == null && boundary.wallMotion(2 * axis + 1) == null) return
-        val room = boundary.leastRoom(axis, scenario.startTime, end)
-        check.must("boundary.faces", room > 2 * largest) {
-            "lets the walls across ${"xyz"[axis]} come as near to each other as $room; " +
-                "that must exceed the diameter of the largest sphere, ${2 * largest}"
-        }
-    }
-
-    /** A sphere that falls through the room and bounces needs √(8 l/g) to be back. */
-    private fun checkFall(axis: Int, duration: Double) {
-        val forces = scenario.forces.filterIsInstance<ForceSpec.UniformAcceleration>()
-        if (forces.isEmpty() || scenario.frame != null) return
-        val acceleration = abs(forces.sumOf { it.acceleration[axis] })
-        val falls = duration * sqrt(acceleration / (8 * boundary.box.length(axis)))
-        check.must("timeStep", falls <= MOST_CYCLES) {
-            "is so long that spheres fall $falls times through the room across ${"xyz"[axis]} in a step; " +
-                "take a smaller dt"
-        }
     }
 
     private fun checkSurfaces() {
@@ -280,12 +218,6 @@ internal class StartCheck(
          * between would be searched.
          */
         private const val MOST_BOXES = 3
-
-        /** Of a wall or a bouncing sphere in a step. More would still be right, but there are contacts in each. */
-        private const val MOST_CYCLES = 1000
-
-        /** Mass of a piston over that of a sphere, at least. */
-        private const val LIGHTEST = 10.0
 
         /** Of a mesh, 0.3 GB. */
         private const val MOST_POINTS = 40_000_000

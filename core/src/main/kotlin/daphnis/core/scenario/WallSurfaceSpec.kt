@@ -12,8 +12,8 @@ import kotlin.math.abs
 import kotlin.math.sqrt
 
 /**
- * A wall that is not a face of the box, see [WallSurface]. Points, vectors and velocities are three numbers, along x, y,
- * z.
+ * A wall that is not a face of the box, see [WallSurface]. Points, vectors and velocities are three numbers, along x,
+ * y, z.
  *
  * @property restitution its own; that of the walls when left out
  * @property roughness of the surface; smooth when left out

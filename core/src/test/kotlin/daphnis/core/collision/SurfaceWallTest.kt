@@ -218,6 +218,7 @@ class SurfaceWallTest {
 
     @Test
     fun `elastic impacts keep energy, and at a cylinder and a sphere angular momentum`() {
+        val contacts = IntArray(3)
         for (seed in 0L until 1_000) {
             val c = Case(seed, falls = false, moves = false)
             val t = c.wall.timeOfAny(c.rows, 0, WallContact.FACES)
@@ -227,6 +228,15 @@ class SurfaceWallTest {
             val v = DoubleArray(3) { s[3 + it] }
             val before = c.v.sumOf { it * it }
             assertEquals(1.0, v.sumOf { it * it } / before, 1e-14)
+            contacts[
+                if (c.surface.isPlane) {
+                    0
+                } else if (c.surface.direction.all { it == 0.0 }) {
+                    1
+                } else {
+                    2
+                },
+            ]++
             if (c.surface.isPlane) continue
             val q = DoubleArray(3) { s[it] - c.surface.origin[it] }
             val d = c.surface.direction
@@ -248,6 +258,7 @@ class SurfaceWallTest {
             val speed = sqrt(before)
             assertTrue(outcome.impactSpeed <= speed * (1 + 1e-15))
         }
+        assertTrue(contacts.all { it > 20 }) { "contacts with planes, spheres and cylinders: ${contacts.toList()}" }
     }
 
     private companion object {

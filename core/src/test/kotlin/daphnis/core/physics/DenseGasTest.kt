@@ -27,9 +27,7 @@ class DenseGasTest {
         assertPhysics(
             "Z, nσ³ = 0.5",
             3.26936,
-            seen.average {
-                it.z
-            } + LACKING_HALF / COUNT,
+            seen.average { it.z } + LACKING_HALF / COUNT,
             if (fullPhysics) 5e-4 else 4e-3,
         )
         assertPhysics("D, nσ³ = 0.5, N = 2048", 0.25152, seen.average { it.diffusion }, if (fullPhysics) 0.01 else 0.03)
@@ -41,9 +39,7 @@ class DenseGasTest {
         assertPhysics(
             "Z, nσ³ = 0.9",
             10.7629,
-            seen.average {
-                it.z
-            } + LACKING_DENSE / COUNT,
+            seen.average { it.z } + LACKING_DENSE / COUNT,
             if (fullPhysics) 5e-4 else 4e-3,
         )
     }

@@ -13,8 +13,8 @@ import kotlin.math.abs
 import kotlin.math.sqrt
 
 /**
- * Section 2 of the validation targets. ν and Z are of Kolafa, Labík & Malijevský 2004 (Phys. Chem. Chem. Phys. 6, 2335),
- * less what 8000 spheres lack (at most 4e-5 of Z); D is of an independent event-driven code.
+ * Section 2 of the validation targets. ν and Z are of Kolafa, Labík & Malijevský 2004 (Phys. Chem. Chem. Phys. 6,
+ * 2335), less what 8000 spheres lack (at most 4e-5 of Z); D is of an independent event-driven code.
  */
 @Tag("physics")
 class ElasticGasTest {

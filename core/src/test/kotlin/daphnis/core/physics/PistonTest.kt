@@ -249,15 +249,7 @@ class PistonTest {
         val piston = Piston(50.0, 25.0)
         val walls = Walls(
             Box.centred(5.0, 5.0, 5.0),
-            faces = List(6) {
-                if (it ==
-                    0
-                ) {
-                    WallFace(motion = piston)
-                } else {
-                    null
-                }
-            },
+            faces = listOf(WallFace(motion = piston)) + List(5) { null },
         )
         val one = DoubleArray(1) { 1.0 }
         val sphere = Population(one, one, one, one, one, one, one, one)

@@ -33,6 +33,16 @@ class ResolvedScenarioTest {
     }
 
     @Test
+    fun `a lattice that is left out is named in the file`() {
+        for ((name, settings) in mapOf("fcc" to listOf("particles.count=256"), "hexagonal" to listOf("dimensions=2"))) {
+            val box = if (name == "fcc") "box.lengths=[20,20,20]" else "box.lengths=[60,60]"
+            val scenario = BuiltIn.scenario(if (name == "fcc") "elastic-gas" else "hard-discs", settings + box)
+            val lattice = ScenarioJson.changed(scenario, name, listOf("placement={\"type\": \"lattice\"}"))
+            assertTrue("\"lattice\": \"$name\"" in ScenarioJson.write(ScenarioSetup.of(lattice, name).scenario))
+        }
+    }
+
+    @Test
     fun `without bodies no id is one, and the file names none`() {
         val scenario = ScenarioSetup.of(BuiltIn.scenario("cooling-gas", listOf("particles.count=20")), "gas").scenario
         assertEquals(Int.MAX_VALUE, scenario.firstBody)

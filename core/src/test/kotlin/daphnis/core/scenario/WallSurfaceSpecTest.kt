@@ -1,5 +1,6 @@
 package daphnis.core.scenario
 
+import daphnis.core.boundary.planesApart
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -150,6 +151,36 @@ class WallSurfaceSpecTest {
         setup(run(two, 3.4))
         // Those that go the same way stay apart, though each alone would come too near to the other where that is now.
         setup(run(plane(-4.0, 1, 0.5) + ", " + plane(1.0, -1, -0.5), 8.5))
+    }
+
+    @Test
+    fun `a plane may lie across from a piston`() {
+        val floor = """{"type": "plane", "point": [-4, 0, 0], "normal": [1, 0, 0], "belt": [0, 1, 0]}"""
+        val lid = """{"upperX": {"motion": {"type": "piston", "mass": 50, "position": -3}}}"""
+        val boundary = setup(text(floor).replace("\"surfaces\"", "\"faces\": $lid, \"surfaces\"")).boundary
+        assertEquals(listOf(6.0), boundary.planesApart(0.0, 9.0).map { it.apart })
+    }
+
+    @Test
+    fun `surfaces that shake too often in a step, and falls through a drum, are refused as those of faces are`() {
+        val dt = """, "timeStep": {"type": "fixed", "dt": 1}"""
+        val shakes = """{"type": "plane", "point": [-4, 0, 0], "normal": [1, 0, 0],
+            "motion": {"type": "sine", "amplitude": 0.1, "frequency": 2000}}"""
+        assertSays("timeStep: is so long that boundary.surfaces[0] has 2000", text(shakes, more = dt))
+        val pulled = """$dt, "forces": [{"type": "uniform-acceleration", "acceleration": [0, 0, -1e8]}]"""
+        assertSays("times through the room across z in a step", text(drum, more = pulled))
+    }
+
+    @Test
+    fun `discs stay in their plane`() {
+        fun belt(z: Int) = text(
+            """{"type": "plane", "point": [-4, 0, 0], "normal": [1, 0, 0], "belt": [0, 1, $z]}""",
+            "xy",
+            "[10, 10]",
+            """, "dimensions": 2""",
+        )
+        setup(belt(0))
+        assertSays("boundary.surfaces[0].belt: moves along z, out of the plane of the discs", belt(1))
     }
 
     @Test

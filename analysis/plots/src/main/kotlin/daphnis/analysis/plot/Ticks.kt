@@ -39,8 +39,8 @@ internal class Ticks(val places: List<Double>, val labels: List<String>) {
         }
 
         /**
-         * Powers of ten from [low] to [high], both positive; with a few steps between when they are near each other, and
-         * where these are fewer than two, places as on a linear axis.
+         * Powers of ten from [low] to [high], both positive; with a few steps between when they are near each other,
+         * and where these are fewer than two, places as on a linear axis.
          */
         fun logarithmic(low: Double, high: Double): Ticks {
             // A lag of one orbit may be 1.0000000000000002 of them.

@@ -22,7 +22,9 @@ internal object ElasticReferences {
     /** Most kinds of spheres for which pairs of kinds are summed. */
     private const val MOST_KINDS = 64
 
-    /** Third of a bound of Enskog's coefficients up to [EnskogGas.MOST_FILLED], relative; of the equation of mixtures. */
+    /**
+     * Third of a bound of Enskog's coefficients up to [EnskogGas.MOST_FILLED], relative; of the equation of mixtures.
+     */
     private const val ENSKOG_ERROR = 0.1 / 3
     private const val BULK_ERROR = 0.3 / 3
     private const val MIXTURE_ERROR = 0.005 / 3
@@ -73,7 +75,9 @@ internal object ElasticReferences {
         return ofSpheres(p, filling, temperature, z, hypot(HardSpheres.SPEEDY_ACCURACY * z, z / p.size), SPEEDY)
     }
 
-    /** The rate follows from the contact value in [z]. That of N − 1 free spheres is 1/12N faster: ⟨c⟩ at one energy. */
+    /**
+     * The rate follows from the contact value in [z]. That of N − 1 free spheres is 1/12N faster: ⟨c⟩ at one energy.
+     */
     private fun ofSpheres(
         p: Population,
         filling: Double,

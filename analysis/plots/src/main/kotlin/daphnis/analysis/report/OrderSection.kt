@@ -13,8 +13,8 @@ import daphnis.analysis.table.Column
 import daphnis.analysis.table.Table
 
 /**
- * Order of neighbours in dense boxes: q₄, q₆ and solid-like spheres, of discs ψ₆. From every n-th of the averaged states
- * where particles are many.
+ * Order of neighbours in dense boxes: q₄, q₆ and solid-like spheres, of discs ψ₆. From every n-th of the averaged
+ * states where particles are many.
  */
 internal class OrderSection(private val study: Study) : Section {
     private val isPlane = study.last.boundary.space.isPlane

@@ -21,9 +21,9 @@ internal class Reference(val value: Double, val error: Double, val source: Strin
 
 /**
  * Numbers that are known for some scenarios: steady ring patches and sheared gases measured with an independent
- * event-driven code (docs/validation.md), and gases that noise heats. [ElasticReferences] has elastic ones. By [NumberRow.key]. There are
- * none unless everything that decides the number is as it was there: sizes and masses, restitution with its scale,
- * forces, frame and faces.
+ * event-driven code (docs/validation.md), and gases that noise heats. [ElasticReferences] has elastic ones. By
+ * [NumberRow.key]. There are none unless everything that decides the number is as it was there: sizes and masses,
+ * restitution with its scale, forces, frame and faces.
  *
  * The independent code gave no errors. The bounds of docs/validation.md, which hold for all of its numbers, are taken
  * as three standard errors.
@@ -126,7 +126,9 @@ internal object References {
         return temperature + ("velocity_a2" to Reference(a2, CUMULANT_BOUND / 3, NOIJE))
     }
 
-    /** Whether equal spheres meet each other and nothing else: no force but [heated], no body, no guard that is felt. */
+    /**
+     * Whether equal spheres meet each other and nothing else: no force but [heated], no body, no guard that is felt.
+     */
     fun isPlain(scenario: Scenario, last: State, heated: ForceSpec? = null): Boolean =
         scenario.forces == listOfNotNull(heated) &&
             scenario.contacts.isEmpty() &&
@@ -157,8 +159,9 @@ internal object References {
     private const val LEAST_HEATED = 0.6
 
     /**
-     * What Enskog's rate leaves out in an inelastic gas, relative (1.6 % at filling factor 0.1 and ε = 0.8), and what is
-     * left out of a₂, at the same filling factor 0.0037: velocities of spheres that are near each other are correlated.
+     * What Enskog's rate leaves out in an inelastic gas, relative (1.6 % at filling factor 0.1 and ε = 0.8), and what
+     * is left out of a₂, at the same filling factor 0.0037: velocities of spheres that are near each other are
+     * correlated.
      */
     private const val HEATED_BOUND = 0.05
     private const val CUMULANT_BOUND = 0.005

@@ -38,7 +38,9 @@ internal object RunWarnings {
         }
     }
 
-    /** Whether the [balance] of energy is away from 1 by more than chance and rounding make it; not without an [error]. */
+    /**
+     * Whether the [balance] of energy is away from 1 by more than chance and rounding make it; not without an [error].
+     */
     fun isOff(balance: Double, error: Double): Boolean = abs(balance - 1) > maxOf(MOST_ERRORS * error, MOST_PART)
 
     private const val MOST_ERRORS = 5

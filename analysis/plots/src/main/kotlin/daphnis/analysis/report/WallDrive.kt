@@ -18,7 +18,9 @@ internal object WallDrive {
     fun isFlowing(boundary: BoundarySpec?): Boolean =
         (boundary as? BoundarySpec.Walls)?.surfaces.orEmpty().any { isSliding(it) }
 
-    /** What to say of numbers around a mean flow of [study] that is not known there; nothing where no wall makes one. */
+    /**
+     * What to say of numbers around a mean flow of [study] that is not known there; nothing where no wall makes one.
+     */
     fun remark(study: Study): String =
         if (isFlowing(study.input.scenario?.boundary)) "the flow that walls drag along counts as random motion" else ""
 

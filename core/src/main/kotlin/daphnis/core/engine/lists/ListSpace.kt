@@ -50,8 +50,8 @@ internal class ListSpace : CellAxes() {
         }
 
     /**
-     * Lays out the space for [spheres], with shells of [shellInRadii] of the largest. Where images approach, it is good for
-     * one step of [duration].
+     * Lays out the space for [spheres], with shells of [shellInRadii] of the largest. Where images approach, it is good
+     * for one step of [duration].
      *
      * @return false when there cannot be lists
      */
@@ -129,8 +129,8 @@ internal class ListSpace : CellAxes() {
         private const val FARTHER_RADII = 64.0
 
         /**
-         * How far from the middle of the box, in boxes, spheres may go where images approach: two are less than two and a
-         * half boxes apart then, so that they are near at images no farther away than [MOST_AWAY].
+         * How far from the middle of the box, in boxes, spheres may go where images approach: two are less than two and
+         * a half boxes apart then, so that they are near at images no farther away than [MOST_AWAY].
          */
         private const val NEARER = 1.25
         private const val MOST_AWAY = 3.0
