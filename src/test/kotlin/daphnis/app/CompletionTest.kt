@@ -18,16 +18,31 @@ class CompletionTest {
     private val script by lazy { assertDone(daphnis("completion", "bash")) }
 
     /** What bash offers for the last of [words], after the others, in a directory with `mine.json`. */
-    private fun offered(vararg words: String): List<String> {
+    private fun offered(vararg words: String): List<String> = offeredBy(script, "_daphnis", *words)
+
+    private fun offeredBy(script: String, function: String, vararg words: String): List<String> {
         Files.writeString(home.resolve("script"), script)
         Files.writeString(home.resolve("mine.json"), "{}")
         val line = words.joinToString(" ") { "'$it'" }
-        val ask = "source ./script; COMP_WORDS=($line); COMP_CWORD=${words.size - 1}; _daphnis; printf '%s\\n' " +
+        val ask = "source ./script; COMP_WORDS=($line); COMP_CWORD=${words.size - 1}; $function; printf '%s\\n' " +
             "\"\${COMPREPLY[@]}\""
         val bash = ProcessBuilder("bash", "-c", ask).directory(home.toFile()).redirectErrorStream(true).start()
         val said = bash.inputReader().readText()
         assertTrue(bash.waitFor(1, TimeUnit.MINUTES))
         return said.lines().filter { it.isNotEmpty() }
+    }
+
+    @Test
+    fun `zsh, which does not part words at equals signs, completes behind them too`() {
+        assumeTrue(Files.isExecutable(Path.of("/bin/bash")), "no bash here")
+        // What zsh has and bash has not, and bash's own in place of the arrays of ksh that zsh takes on for it.
+        val zsh = assertDone(daphnis("completion", "zsh"))
+        assertTrue(zsh.trimEnd().endsWith("complete -o filenames -F _daphnis_zsh daphnis")) { zsh.takeLast(200) }
+        val script = "autoload() { :; }; compinit() { :; }; bashcompinit() { :; }\n" + zsh
+        fun zshOffers(vararg words: String) = offeredBy(script, "_daphnis_zsh", *words)
+        assertEquals(listOf("--engine=horizon"), zshOffers("daphnis", "run", "--engine=h"))
+        assertEquals(listOf("horizon"), zshOffers("daphnis", "run", "--engine", "h"))
+        assertEquals(listOf("cooling-gas"), zshOffers("daphnis", "run", "--engine=serial", "coo"))
     }
 
     @Test

@@ -67,13 +67,9 @@ internal class CostRows(private val setup: ScenarioSetup, private val say: Quant
         val bound = if (rate.isOnlyLeast) "at least " else ""
         val seconds = if (least == most) bound + least else "$least to ${most.removePrefix("about ")}"
         val counts = listOf(half * rate.least, half * rate.most).map { number(it) }.distinct().joinToString(" to ")
-        val why = if (setup.frequencies ==
-            null
-        ) {
-            "with ${if (rate.isOnlyLeast) "at least $counts collisions, $counts" else "the $counts"} collisions of the start"
-        } else {
-            "$counts collisions"
-        }
+        val those = if (rate.isOnlyLeast) "at least $counts collisions, $counts" else "the $counts"
+        val ofStart = "with $those collisions of the start"
+        val why = if (setup.frequencies == null) ofStart else "$counts collisions"
         rows.add("run time", "$seconds on one core, roughly; $why")
     }
 

@@ -22,7 +22,7 @@ internal fun criticalLength(setup: ScenarioSetup, say: Quantities): String? {
         scenario.frame == null &&
         scenario.growth == null &&
         (scenario.roughness == null || scenario.roughness is RoughnessSpec.Smooth)
-    if (!isPlain || radii.isEmpty() || radii.min() != radii.max()) return null
+    if (!isPlain || !areEqual(radii) || !areEqual(setup.population.mass)) return null
     val filling = fillingFactor(radii, setup.boundary.box)
     if (law.coefficient < ShearInstability.LEAST_RESTITUTION || law.coefficient >= 1) return null
     if (!(filling > 0 && filling <= ShearInstability.MOST_FILLED)) return null
@@ -31,3 +31,5 @@ internal fun criticalLength(setup: ScenarioSetup, say: Quantities): String? {
     val seen = if (longest > length) "vortices will form" else "none form in this box"
     return "${say.length(length)}; in longer boxes vortices form as the gas cools (Garzó 2005): $seen"
 }
+
+private fun areEqual(values: DoubleArray) = values.isNotEmpty() && values.min() == values.max()

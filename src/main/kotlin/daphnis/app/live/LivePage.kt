@@ -31,9 +31,11 @@ internal class LivePage(port: Int) : AutoCloseable {
     }
 
     override fun close() {
+        // Who has been told of the end is no longer counted.
+        val isSeen = feed.wants(Feed.STATE)
         feed.end(ending)
         // The last state is looked at longest.
-        if (feed.wants(Feed.STATE)) newest.awaitAsked(PATIENCE_MILLISECONDS)
+        if (isSeen) newest.awaitAsked(PATIENCE_MILLISECONDS)
         server.close()
     }
 

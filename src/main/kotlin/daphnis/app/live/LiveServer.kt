@@ -20,9 +20,9 @@ import java.util.concurrent.TimeUnit
  * It listens on the loopback address only. A page of somebody else's in the same browser reaches that too, so requests
  * must name this server as their `Host` (a name which is made to resolve to 127.0.0.1 does not), and events and states
  * are not for other sites. What can be asked for is a fixed list, by GET, and states by number; no file is looked up by
- * the name that is asked for. A request that does not come to its end within seconds is dropped, and who does not read a
- * megabyte of a state within [sendMilliseconds] gets no more of it, so that nobody keeps a thread or a state's memory for
- * long.
+ * the name that is asked for. A request that does not come to its end within seconds is dropped, and who does not read
+ * a megabyte of a state within [sendMilliseconds] gets no more of it, so that nobody keeps a thread or a state's memory
+ * for long.
  *
  * @param port to listen on, or 0 for any free one
  * @param option of the command line that gave it

@@ -19,11 +19,11 @@ import kotlin.math.sqrt
 /**
  * States as the page draws them. The length of the head in bytes, an int; the head, JSON; columns of floats with x, y,
  * z from the head's `origin` and the radius, all in units of length, and the speed against the mean flow in units of
- * [scale]; a column of bytes with the numbers of materials, modulo 256. The lowest byte of a number comes first. Bodies,
- * of which the head says how many, come before particles.
+ * [scale]; a column of bytes with the numbers of materials, modulo 256. The lowest byte of a number comes first.
+ * Bodies, of which the head says how many, come before particles.
  *
  * @param most particles that are shown; of more, those whose ids a whole number divides, so that they are the same in
- *   every state
+ *   every state while there are as many
  */
 internal class StateBytes(private val scale: PlotScale, private val most: Int = MOST) {
     /** [state] with its [number] in the run. Any thread may call; the state must not change meanwhile. */

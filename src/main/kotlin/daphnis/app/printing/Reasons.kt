@@ -31,8 +31,9 @@ internal fun reasonInWords(e: Throwable): String = when (e) {
 }
 
 /** Whether what is missing are the libraries that the package for Python leaves out. */
-private fun isOfPekko(e: LinkageError): Boolean =
-    listOf("org.apache.pekko.", "com.typesafe.config.").any { e.cause?.message.orEmpty().startsWith(it) }
+private fun isOfPekko(e: LinkageError): Boolean = listOf("org.apache.pekko.", "com.typesafe.", "scala.").any {
+    (e.cause?.message ?: e.message).orEmpty().replace('/', '.').startsWith(it)
+}
 
 /** The message of [e] in the words of the command line: arguments and ways out are flags. */
 private fun inFlags(e: InputException): String {
