@@ -46,12 +46,12 @@ class MovieCommand : CliktCommand(name = "movie") {
     private val out by option(
         "--out",
         metavar = "file",
-        help = "where to write, a name that ends in .gif or .mp4 (default: DIR/plots/movie.gif)",
+        help = "where to write, a name that ends in .gif, .mp4 or .webm (default: DIR/plots/movie.gif)",
         completionCandidates = Candidates.files,
     )
     private val quiet by option("--quiet", help = "no progress").flag()
 
-    override fun help(context: Context) = "Write the snapshots of a run as an animated GIF or as MP4."
+    override fun help(context: Context) = "Write the snapshots of a run as an animated GIF, MP4 or WebM."
 
     override fun run() {
         val target = out?.let { pathOf(it, "--out") }
@@ -102,7 +102,10 @@ class MovieCommand : CliktCommand(name = "movie") {
             wrong("--width", width, "in ${MovieOptions.LEAST_WIDTH}..${MovieOptions.MOST_WIDTH} pixels")
         }
         val format = if (target == null) MovieFormat.GIF else MovieFormat.of(target)
-        if (format == null) wrong("--out", "$out", "a name that ends in .gif or .mp4")
+        if (format == null) wrong("--out", "$out", "a name that ends in .gif, .mp4 or .webm")
+        if (!format.isAvailable) {
+            wrong("--out", "$out", "a .gif or .mp4: for .webm the program ffmpeg must be on the PATH, with libvpx-vp9")
+        }
         if (target != null && Files.isDirectory(target)) throw InputException("--out", null, "$out is a directory")
         val fps = fps ?: return
         if (fps !in MovieOptions.LEAST_RATE..format.mostFramesPerSecond) {
@@ -118,6 +121,7 @@ class MovieCommand : CliktCommand(name = "movie") {
         val length = String.format(Locale.ROOT, "%.1f", frames.number / rate).removeSuffix(".0")
         val seconds = "$length s at ${number(rate)} per second"
         printLine("$count of ${frames.width} × ${frames.height} pixels, $seconds, ${size(Files.size(file))}, to $file")
+        if (frames.writer == "jcodec") printLine("with the program ffmpeg on the PATH it would be smaller")
         if (fps == null &&
             rate < MovieOptions.USUAL_RATE
         ) {

@@ -81,7 +81,7 @@ class MovieCommandTest {
         assertRefused(movie(run, "--fps", "60"), "--fps", "50", ".gif")
         assertRefused(movie(run, "--fps", "0"), "--fps", "is 0")
         assertRefused(movie(run, "--fps", "NaN"), "--fps")
-        assertRefused(movie(run, "--out", "movie.avi"), "--out", "movie.avi", ".gif or .mp4")
+        assertRefused(movie(run, "--out", "movie.avi"), "--out", "movie.avi", ".gif, .mp4 or .webm")
         assertRefused(movie(run, "--out", ""), "--out", "empty")
         Files.createDirectories(folder.resolve("folder.gif"))
         assertRefused(movie(run, "--out", "${folder.resolve("folder.gif")}"), "--out", "is a directory")

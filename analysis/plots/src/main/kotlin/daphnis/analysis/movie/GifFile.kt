@@ -1,39 +1,40 @@
 package daphnis.analysis.movie
 
 import java.awt.image.BufferedImage
+import java.awt.image.DataBufferByte
 import java.awt.image.DataBufferInt
-import java.io.BufferedOutputStream
-import java.io.OutputStream
-import java.nio.file.Files
 import java.nio.file.Path
+import javax.imageio.IIOImage
+import javax.imageio.ImageIO
+import javax.imageio.ImageTypeSpecifier
+import javax.imageio.ImageWriteParam
+import javax.imageio.ImageWriter
+import javax.imageio.metadata.IIOMetadata
+import javax.imageio.metadata.IIOMetadataNode
+import javax.imageio.stream.FileImageOutputStream
 
 /**
- * Animated GIF (GIF89a) that repeats for ever, in the colours of [GifPalette] for all frames. What a frame leaves as it
- * was is transparent. A delay is a whole number of hundredths of a second; the delays of frames differ by one so that
- * no time is lost or gained over the movie.
+ * Animated GIF that repeats for ever, by the writer of the Java library, in the colours of [GifPalette] for all frames.
+ * What a frame leaves as it was is transparent. A delay is a whole number of hundredths of a second; the delays of
+ * frames differ by one so that no time is lost or gained over the movie.
  */
-internal class GifFile(
-    path: Path,
-    private val width: Int,
-    private val height: Int,
-    private val framesPerSecond: Double,
-) : MovieFile {
-    private val out: OutputStream = BufferedOutputStream(Files.newOutputStream(path), 1 shl 16)
+internal class GifFile(path: Path, width: Int, height: Int, private val framesPerSecond: Double) : MovieFile {
+    override val writer: String = "ImageIO"
     private val palette = GifPalette()
     private val before = ByteArray(width * height)
-    private val indices = ByteArray(width * height)
+    private val frame = BufferedImage(width, height, BufferedImage.TYPE_BYTE_INDEXED, palette.model)
+    private val indices = (frame.raster.dataBuffer as DataBufferByte).data
+    private val encoder: ImageWriter = ImageIO.getImageWritersByFormatName("gif").next()
+    private val settings = encoder.defaultWriteParam.apply { progressiveMode = ImageWriteParam.MODE_DISABLED }
+
+    // `createFromRenderedImage` would be of the colours of the web.
+    private val type = ImageTypeSpecifier(frame)
+    private val out = FileImageOutputStream(path.toFile())
     private var frames = 0L
 
     init {
-        out.write("GIF89a".toByteArray())
-        short(width)
-        short(height)
-        // A table of 256 colours for all frames; the background is its first.
-        out.write(byteArrayOf(0xf7.toByte(), 0, 0))
-        for (rgb in palette.colours) out.write(byteArrayOf((rgb shr 16).toByte(), (rgb shr 8).toByte(), rgb.toByte()))
-        out.write(byteArrayOf(0x21, 0xff.toByte(), 11))
-        out.write("NETSCAPE2.0".toByteArray())
-        out.write(byteArrayOf(3, 1, 0, 0, 0))
+        encoder.output = out
+        encoder.prepareWriteSequence(null)
     }
 
     override fun add(image: BufferedImage) {
@@ -43,18 +44,25 @@ internal class GifFile(
             indices[k] = if (frames > 0 && index == before[k]) GifPalette.TRANSPARENT.toByte() else index
             before[k] = index
         }
-        // What stands stays; the index of what is transparent.
-        out.write(byteArrayOf(0x21, 0xf9.toByte(), 4, 0x05))
-        short(delay())
-        out.write(byteArrayOf(GifPalette.TRANSPARENT.toByte(), 0))
-        out.write(0x2c)
-        short(0)
-        short(0)
-        short(width)
-        short(height)
-        out.write(0)
-        Lzw(out).write(indices)
+        encoder.writeToSequence(IIOImage(frame, null, metadata()), settings)
         frames++
+    }
+
+    private fun metadata(): IIOMetadata {
+        val metadata = encoder.getDefaultImageMetadata(type, settings)
+        val root = metadata.getAsTree(metadata.nativeMetadataFormatName) as IIOMetadataNode
+        val control = root.getElementsByTagName("GraphicControlExtension").item(0) as IIOMetadataNode
+        control.setAttribute("disposalMethod", "doNotDispose")
+        control.setAttribute("delayTime", "${delay()}")
+        if (frames == 0L) {
+            val repeats = IIOMetadataNode("ApplicationExtension")
+            repeats.setAttribute("applicationID", "NETSCAPE")
+            repeats.setAttribute("authenticationCode", "2.0")
+            repeats.userObject = byteArrayOf(1, 0, 0)
+            root.appendChild(IIOMetadataNode("ApplicationExtensions").apply { appendChild(repeats) })
+        }
+        metadata.setFromTree(metadata.nativeMetadataFormatName, root)
+        return metadata
     }
 
     /** Of the frame that comes next, in hundredths of a second. */
@@ -64,15 +72,13 @@ internal class GifFile(
     }
 
     override fun finish() {
-        out.write(0x3b)
+        encoder.endWriteSequence()
         out.flush()
     }
 
-    override fun close(): Unit = out.close()
-
-    private fun short(value: Int) {
-        out.write(value and 0xff)
-        out.write(value shr 8)
+    override fun close() {
+        encoder.dispose()
+        out.close()
     }
 
     private companion object {

@@ -1,5 +1,8 @@
 package daphnis.analysis.movie
 
+import java.awt.image.DataBuffer
+import java.awt.image.IndexColorModel
+
 /**
  * 256 colours for all frames: greys for the legend, and each colour of the maps from dark to bright. Fixed, so that a
  * colour means one number in all frames.
@@ -23,6 +26,9 @@ internal class GifPalette {
             for (s in 1..SHADES) colours[n++] = ColourMap.mixed(ColourMap.SPACE, hue, s.toDouble() / SHADES)
         }
     }
+
+    /** Of images whose pixels are indices. */
+    val model: IndexColorModel get() = IndexColorModel(8, SIZE, colours, 0, false, TRANSPARENT, DataBuffer.TYPE_BYTE)
 
     fun nearest(rgb: Int): Int {
         val colour = rgb and 0xffffff

@@ -25,7 +25,7 @@ public class Movie(private val input: AnalysisInput, private val options: MovieO
     @JvmOverloads
     @Throws(IOException::class)
     public fun write(file: Path, progress: AnalysisProgress = AnalysisProgress { _, _, _ -> }): MovieFrames {
-        val format = requireNotNull(MovieFormat.of(file)) { "$file is neither .gif nor .mp4" }
+        val format = requireNotNull(MovieFormat.of(file)) { "$file ends in none of .gif, .mp4 and .webm" }
         require(options.framesPerSecond <= format.mostFramesPerSecond) {
             "frames per second are ${options.framesPerSecond}; .${format.extension} takes ${format.mostFramesPerSecond}"
         }
@@ -68,8 +68,8 @@ public class Movie(private val input: AnalysisInput, private val options: MovieO
                 out.add(painter.paint(input.state(k), clock.text(input.times[k])))
             }
             out.finish()
+            return MovieFrames(input.size, image.width, image.height, legend.remark, out.writer)
         }
-        return MovieFrames(input.size, image.width, image.height, legend.remark)
     }
 
     /** Some states, evenly, with the first and the last. */
@@ -96,7 +96,7 @@ public class Movie(private val input: AnalysisInput, private val options: MovieO
         const val SURVEY = "range of the colours"
 
         fun MovieOptions.even(format: MovieFormat) =
-            if (format == MovieFormat.MP4) MovieOptions(view, colour, framesPerSecond, width + width % 2) else this
+            if (format != MovieFormat.GIF) MovieOptions(view, colour, framesPerSecond, width + width % 2) else this
     }
 }
 
@@ -106,6 +106,7 @@ public class Movie(private val input: AnalysisInput, private val options: MovieO
  * @property number of them
  * @property width in pixels; one more than asked for where the format needs an even number
  * @property height in pixels, with the legend
+ * @property writer the program or library that wrote the file: `ImageIO`, `jcodec` or `ffmpeg`
  * @property enlarged what was enlarged so that a flat box is seen, as `vertical × 5`; null when nothing was
  */
 public class MovieFrames internal constructor(
@@ -113,4 +114,5 @@ public class MovieFrames internal constructor(
     public val width: Int,
     public val height: Int,
     public val enlarged: String?,
+    public val writer: String,
 )

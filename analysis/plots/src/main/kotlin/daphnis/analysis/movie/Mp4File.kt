@@ -37,6 +37,7 @@ internal class Mp4File(
         require(width % 2 == 0 && height % 2 == 0) { "frames are $width × $height pixels; both must be even for MP4" }
     }
 
+    override val writer: String = "jcodec"
     private val channel = FileChannel.open(path, CREATE, TRUNCATE_EXISTING, READ, WRITE)
     private val muxer = MP4Muxer.createMP4Muxer(FileChannelWrapper(channel), Brand.MP4)
     private val track = CodecMP4MuxerTrack(1, MP4TrackType.VIDEO, Codec.H264).also { muxer.addTrack(it) }
