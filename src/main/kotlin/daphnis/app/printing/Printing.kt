@@ -1,4 +1,4 @@
-/**
+/*
  * The only way of text out of the program, which holds nothing that a terminal obeys: names, descriptions and messages
  * come from files and processes of others. Only this file writes to the standard streams; a test holds it to that.
  */

@@ -45,10 +45,12 @@ public enum class MovieFormat(public val extension: String) {
             MP4 -> ffmpeg("libx264")?.let {
                 by(it, "-c:v", "libx264", "-crf", "18", "-movflags", "+faststart", "-f", "mp4")
             } ?: Mp4File(path, width, height, framesPerSecond)
-            WEBM -> by(
-                ffmpeg("libvpx-vp9") ?: throw IOException("WebM needs the program ffmpeg with libvpx-vp9 on the PATH"),
-                *arrayOf("-c:v", "libvpx-vp9", "-crf", "24", "-b:v", "0", "-cpu-used", "4", "-row-mt", "1", "-f", "webm"),
-            )
+            WEBM -> {
+                val program = ffmpeg("libvpx-vp9")
+                    ?: throw IOException("WebM needs the program ffmpeg with libvpx-vp9 on the PATH")
+                val quality = arrayOf("-crf", "24", "-b:v", "0", "-cpu-used", "4", "-row-mt", "1")
+                by(program, "-c:v", "libvpx-vp9", *quality, "-f", "webm")
+            }
         }
     }
 
