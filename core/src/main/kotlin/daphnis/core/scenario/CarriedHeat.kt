@@ -5,7 +5,6 @@ package daphnis.core.scenario
  * rest and elastic, so that its conductivity follows.
  */
 internal val ScenarioSetup.carriesHeat: Boolean
-    get() = scenario.isElasticAtRest &&
-        scenario.growth == null &&
+    get() = scenario.restitutionAtRest == 1.0 &&
         (0..2).all { boundary.repeats(it) } &&
         (scenario.output.transportEvery != 0 || scenario.output.transportInterval != null)

@@ -73,16 +73,19 @@ public interface ScenarioParts {
         }
     }
 
-    /** Whether smooth elastic spheres meet each other, and nothing else, in a box at rest that repeats. */
-    public val isElasticAtRest: Boolean
-        get() = boundary is BoundarySpec.Periodic &&
-            frame == null &&
-            forces.isEmpty() &&
-            bodies.isEmpty() &&
-            impacts.all {
-                val isElastic = (it.restitution as? RestitutionSpec.Constant)?.coefficient == 1.0
-                isElastic && (it.roughness == null || it.roughness is RoughnessSpec.Smooth)
-            }
+    /**
+     * The one constant coefficient of restitution of smooth spheres that meet each other, and nothing else, in a box at
+     * rest that repeats, at least along some axes; null for other systems.
+     */
+    public val restitutionAtRest: Double? get() {
+        val isAtRest = boundary is BoundarySpec.Periodic && frame == null && growth == null
+        if (!isAtRest || forces.isNotEmpty() || bodies.isNotEmpty()) return null
+        val coefficients = impacts.map { impact ->
+            val isSmooth = impact.roughness == null || impact.roughness is RoughnessSpec.Smooth
+            (impact.restitution as? RestitutionSpec.Constant)?.coefficient?.takeIf { isSmooth }
+        }
+        return coefficients.distinct().singleOrNull()
+    }
 
     /** Time at which the run starts: that of the state from which it is placed, otherwise 0. */
     public val startTime: Double get() = (placement as? PlacementSpec.File)?.time ?: 0.0

@@ -4,8 +4,6 @@ import daphnis.analysis.insitu.State
 import daphnis.analysis.plot.Curve
 import daphnis.analysis.theory.CoolingGas
 import daphnis.analysis.theory.EnskogGas
-import daphnis.core.scenario.BoundarySpec
-import daphnis.core.scenario.RestitutionSpec
 import daphnis.core.scenario.Scenario
 
 /** What theory knows of a gas of equal smooth spheres that nothing but collisions of one restitution cools. */
@@ -38,10 +36,9 @@ internal object CoolingReferences {
 
     /** The coefficient of such a gas in space; null for another. */
     private fun restitution(scenario: Scenario, last: State): Double? {
-        val law = scenario.restitution as? RestitutionSpec.Constant ?: return null
-        val isPeriodic = scenario.boundary is BoundarySpec.Periodic && (0..2).all { last.boundary.repeats(it) }
-        val isKnown = law.coefficient < 1 && law.coefficient >= CoolingGas.LEAST_RESTITUTION
-        val isAlone = scenario.frame == null && scenario.growth == null
-        return if (isPeriodic && isKnown && isAlone && References.isPlain(scenario, last)) law.coefficient else null
+        val restitution = scenario.restitutionAtRest ?: return null
+        val isFree = (0..2).all { last.boundary.repeats(it) }
+        val isKnown = restitution < 1 && restitution >= CoolingGas.LEAST_RESTITUTION
+        return if (isFree && isKnown && References.isPlain(scenario, last)) restitution else null
     }
 }

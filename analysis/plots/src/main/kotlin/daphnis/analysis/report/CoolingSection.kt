@@ -9,7 +9,6 @@ import daphnis.analysis.table.Column
 import daphnis.analysis.table.Table
 import daphnis.analysis.table.UnitNames
 import daphnis.analysis.theory.ShearInstability
-import daphnis.core.scenario.RestitutionSpec
 
 /** Vortices and clusters of a gas that cools by itself: spectra of the last state, and clusters over time. */
 internal class CoolingSection(private val study: Study) : Section {
@@ -87,21 +86,17 @@ internal class CoolingSection(private val study: Study) : Section {
         Table("velocity-spectra", columns).write(study.tables)
     }
 
-    /** Of equal smooth spheres or discs with a constant coefficient. */
+    /** Of equal spheres or discs that meet nothing else. */
     private fun critical(): Double? {
-        val scenario = study.physics ?: return null
-        val law = scenario.restitution as? RestitutionSpec.Constant ?: return null
-        val isPlain = scenario.contacts.isEmpty() &&
-            scenario.forces.isEmpty() &&
-            ElasticGas.isSmooth(scenario) &&
-            ElasticGas.areEqual(last.population.radius) &&
-            ElasticGas.areEqual(last.population.mass)
-        val isKnown = law.coefficient >= ShearInstability.LEAST_RESTITUTION &&
-            law.coefficient < 1 &&
+        val restitution = study.physics?.restitutionAtRest ?: return null
+        val isEqual = ElasticGas.areEqual(last.population.radius) && ElasticGas.areEqual(last.population.mass)
+        val isFree = (0 until last.dimensions).all { last.boundary.repeats(it) }
+        val isKnown = restitution >= ShearInstability.LEAST_RESTITUTION &&
+            restitution < 1 &&
             study.bulk.fillingFactor <= ShearInstability.MOST_FILLED
-        if (!isPlain || !isKnown) return null
+        if (!isEqual || !isFree || !isKnown) return null
         return 2 * study.bulk.meanRadius *
-            ShearInstability.criticalLength(law.coefficient, study.bulk.fillingFactor, last.boundary.space)
+            ShearInstability.criticalLength(restitution, study.bulk.fillingFactor, last.boundary.space)
     }
 
     private fun clusters(page: ReportPage) {

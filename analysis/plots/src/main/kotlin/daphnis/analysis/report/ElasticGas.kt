@@ -16,7 +16,7 @@ internal object ElasticGas {
 
     /** The same of spheres that may differ in size and mass. */
     fun isAtRest(scenario: Scenario, last: State): Boolean =
-        scenario.isElasticAtRest && (0 until last.dimensions).all { last.boundary.repeats(it) }
+        scenario.restitutionAtRest == 1.0 && (0 until last.dimensions).all { last.boundary.repeats(it) }
 
     /** Whether spheres slide on one another without friction. */
     fun isSmooth(scenario: Scenario): Boolean =
