@@ -21,6 +21,7 @@ import kotlin.io.path.readText
  */
 @Tag("jdk-neutral")
 internal class ExamplePagesTest {
+    @Tag("thorough")
     @ParameterizedTest
     @MethodSource("pages")
     fun `a page of examples does what it says`(page: Page, @TempDir folder: Path) {
