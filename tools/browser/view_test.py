@@ -26,6 +26,43 @@ MARKUP = "<img src=x onerror=document.title=1>"
 HELD = "document.getElementById('shape').value = 'spheres'"
 
 
+# Made states: 20 × 10 with 2,000 spheres of mass 0.8, of which cells of the grid have two; as many in a clump.
+DENSITIES = """({ densityOf }) => {
+    const [lx, ly, count] = [20, 10, 2000];
+    const cells = [Math.round(Math.sqrt(count)), Math.round(Math.sqrt(count / 4))];
+    const of = (places, shear, bodies = 0) => {
+        const head = { count: places.length, bodies, every: 1, halves: [lx / 2, ly / 2, 1], repeats: [true, true], shear };
+        return densityOf({ head, x: Float32Array.from(places, (p) => p[0]), y: Float32Array.from(places, (p) => p[1]),
+            mass: new Float32Array(places.length).fill(0.8) });
+    };
+    const wrapped = (x, length) => x - length * Math.floor(x / length + 0.5);
+    let seed = 1;
+    const random = () => (seed = (seed * 48271) % 2147483647) / 2147483647;
+    const cloud = Array.from({ length: count }, () => [(random() ** 2 - 0.5) * lx, (random() - 0.5) * ly]);
+    const offset = (7 * ly) / cells[1];
+    const moved = (dx, dy, slid) => cloud.map(([x, y]) => {
+        const boxes = Math.floor((x + dx) / lx + 0.5);
+        return [wrapped(x + dx, lx), wrapped(y + dy - boxes * slid, ly)];
+    });
+    const apart = (a, b) => a.reduce((most, d, k) => Math.max(most, Math.abs(d - b[k])), 0);
+    const shear = { normal: 0, slide: 1, offset };
+    const step = (17 * lx) / cells[0];
+    const even = of(Array.from({ length: count }, (_, k) => [((k % 80) * 20 + 10) / 80 - 10,
+        (Math.floor(k / 80) * 10 + 5) / 25 - 5]));
+    const many = Array.from({ length: 100000 }, () => [(random() - 0.5) * lx, (random() - 0.5) * ly]);
+    const begun = performance.now();
+    of(many, shear);
+    const milliseconds = performance.now() - begun;
+    const clump = of([[3, 3], ...cloud.map(([x, y]) => [x / 10, y])], null, 1);
+    return { even: [Math.min(...even), Math.max(...even)], milliseconds,
+        alongX: apart(of(cloud, null), of(moved(step, 0, 0), null)),
+        alongY: apart(of(cloud, null), of(moved(0, (9 * ly) / cells[1], 0), null)),
+        sheared: apart(of(cloud, shear), of(moved(step, 0, offset), shear)),
+        notSheared: apart(of(cloud, null), of(moved(step, 0, offset), null)),
+        clump: clump.reduce((sum, d) => sum + d) / count, mean: (0.8 * count) / (lx * ly), body: clump[0] };
+}"""
+
+
 class Server:
     """A daphnis that serves a page, which its output names; kept in a file, so that it never waits for a reader."""
 
@@ -213,17 +250,32 @@ class ViewTest(unittest.TestCase):
     def test_colours_have_numbers_and_units(self):
         pictures = []
         for value, label in (("speed", "speed [units of length/time]"), ("size", "radius [units of length]"),
-                             ("height", "height z [units of length]"), ("material", "material")):
+                             ("height", "height z [units of length]"),
+                             ("density", "surface density [units of mass/length²]"), ("material", "material")):
             self.choose("colour", value)
             self.assertEqual(label, self.text("quantity"))
             pictures.append(Seen(self.browser))
             if value == "size":
                 ticks = "[...document.getElementById('ticks').children].map(tick => tick.textContent).join()"
                 self.assertEqual("0.5,0.625,0.75,0.875,1", self.browser.js(ticks))
-        self.assertEqual(4, len(set(pictures)))
+        self.assertEqual(5, len(set(pictures)))
         self.assertIn("heavy", self.text("materials"))
         self.choose("shape", "points")
         self.assertNotIn(Seen(self.browser), pictures)
+
+    def test_the_surface_density_is_that_around_and_goes_on_beyond_faces(self):
+        seen = self.browser.js("import('./density.js').then(" + DENSITIES + ")")
+        low, high = seen["even"]
+        self.assertAlmostEqual(8, low, delta=0.5)
+        self.assertAlmostEqual(8, high, delta=0.5)
+        # The same cloud further on, with what leaves through one face at its image, has the same densities.
+        for moved in ("alongX", "alongY", "sheared"):
+            self.assertLess(seen[moved], 1e-4, moved)
+        self.assertGreater(seen["notSheared"], 0.5)
+        # All mass is in a tenth of the box, and bodies have none.
+        self.assertGreater(seen["clump"], 5 * seen["mean"])
+        self.assertEqual(0, seen["body"])
+        self.assertLess(seen["milliseconds"], 1000)
 
     def test_it_fits_narrow_and_wide_light_and_dark(self):
         grounds = set()

@@ -11,6 +11,7 @@ import daphnis.core.scenario.ScenarioSetup
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import kotlin.math.abs
 
 /** Every engine that the command line knows, as it is registered. Their modules draw cases by the hundred. */
 class EnginesAgreeTest : EnginesAgreeContract(TestedEngines(allEngines), draws = 6) {
@@ -44,6 +45,10 @@ class EnginesAgreeTest : EnginesAgreeContract(TestedEngines(allEngines), draws =
             Simulation(setup.population, setup.boundary, forcing, setup.timeStep).use { simulation ->
                 repeat(60) { simulation.advance() }
                 val pistons = listOf(0, 1).map { setup.boundary.wallMotion(it) as Piston }
+                // In a time of 3 the forces alone would give them these speeds.
+                for ((piston, forced) in pistons.zip(listOf(0.1 + 9.0 / 60 * 3, -8.0 / 45 * 3))) {
+                    assertTrue(abs(piston.speed - forced) > 0.01) { "nothing hit it: ${piston.speed}" }
+                }
                 return listOf(stateDigest(simulation.population)) + pistons.flatMap { listOf(it.position, it.speed) }
             }
         }

@@ -14,9 +14,10 @@ import kotlin.io.path.readText
  * comments into a column, which the formatter of sources does not. What belongs in a build script is left out.
  */
 class GuideExamplesTest {
-    private val pages = Files.list(Repository.root.resolve("docs")).use { files ->
-        files.filter { it.extension == "md" }.toList() + listOf(Repository.root.resolve("README.md"))
-    }.associate { it.name to COLUMN.replace(it.readText(), " //") }
+    private val pages = listOf("docs", "docs/examples").flatMap { folder ->
+        Files.list(Repository.root.resolve(folder)).use { files -> files.filter { it.extension == "md" }.toList() }
+    }.plusElement(Repository.root.resolve("README.md"))
+        .associate { "${Repository.root.relativize(it)}" to COLUMN.replace(it.readText(), " //") }
 
     /** The examples of all tests, by name. */
     private val examples: Map<String, String> = listOf("core", "actors", "analysis").flatMap { module ->

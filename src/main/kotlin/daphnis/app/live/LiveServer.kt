@@ -236,7 +236,7 @@ internal class LiveServer(
         /** Programs that are no browsers do not say. */
         val OWN_SITE = setOf(null, "same-origin")
         val MODULES = listOf(
-            "page", "player", "states", "stage", "camera", "gestures", "colours", "drawing", "shaders",
+            "page", "player", "states", "stage", "camera", "gestures", "colours", "density", "drawing", "shaders",
         )
         val PAGES = mapOf(
             "/" to Page("text/html; charset=utf-8", "page.html"),

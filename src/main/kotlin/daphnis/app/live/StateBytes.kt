@@ -5,6 +5,7 @@ import daphnis.analysis.plot.PlotScale
 import daphnis.analysis.table.UnitNames
 import daphnis.app.describe.spheres
 import daphnis.core.boundary.ContactFaces
+import daphnis.core.boundary.ImageShear
 import daphnis.core.space.Space
 import kotlinx.serialization.json.JsonArray
 import kotlinx.serialization.json.JsonElement
@@ -18,8 +19,8 @@ import kotlin.math.sqrt
 
 /**
  * States as the page draws them. The length of the head in bytes, an int; the head, JSON; columns of floats with x, y,
- * z from the head's `origin` and the radius, all in units of length, and the speed against the mean flow in units of
- * [scale]; a column of bytes with the numbers of materials, modulo 256. The lowest byte of a number comes first.
+ * z from the head's `origin` and the radius, all in units of length, the speed against the mean flow in units of [scale],
+ * and the mass; a column of bytes with the numbers of materials, modulo 256. The lowest byte of a number comes first.
  * Bodies, of which the head says how many, come before particles.
  *
  * @param most particles that are shown; of more, those whose ids a whole number divides, so that they are the same in
@@ -42,6 +43,7 @@ internal class StateBytes(private val scale: PlotScale, private val most: Int = 
         }
         for (k in shown) buffer.putFloat(p.radius[k].toFloat())
         for (k in shown) buffer.putFloat((speed(state, k) / scale.speed).toFloat())
+        for (k in shown) buffer.putFloat(p.mass[k].toFloat())
         for (k in shown) buffer.put(if (p.hasMaterials) p.material[k].toInt().toByte() else 0)
         return buffer.array()
     }
@@ -56,19 +58,21 @@ internal class StateBytes(private val scale: PlotScale, private val most: Int = 
     /** Indices: all bodies, then particles. */
     private fun shown(state: State): IntArray {
         val p = state.population
-        val stride = (p.size + most - 1) / most
+        val stride = stride(state)
         val indices = IntArray(p.size)
         var count = 0
         for (k in 0 until p.size) if (!state.isParticle(k)) indices[count++] = k
         for (k in 0 until p.size) {
             if (state.isParticle(k) &&
-                (stride <= 1 || p.id[k] % stride == 0)
+                (stride == 1 || p.id[k] % stride == 0)
             ) {
                 indices[count++] = k
             }
         }
         return indices.copyOf(count)
     }
+
+    private fun stride(state: State) = maxOf(1, (state.population.size + most - 1) / most)
 
     /** What there is to see along an axis. @property isClosed whether these are faces of the box */
     private class Span(val low: Double, val high: Double, val isClosed: Boolean) {
@@ -106,18 +110,29 @@ internal class StateBytes(private val scale: PlotScale, private val most: Int = 
             put("halves", numbers { (it.high - it.low) / 2 })
             put("box", JsonArray(spans.map(::edges)))
             put("flow", JsonPrimitive(flow(state)))
+            put("every", JsonPrimitive(stride(state)))
+            put("repeats", JsonArray(List(AXES - 1) { JsonPrimitive(state.boundary.repeats(it)) }))
+            put("shear", state.boundary.shear?.let { shear(it, state.time) } ?: JsonNull)
             put("materials", JsonArray(state.population.materials.map { JsonPrimitive(it) }))
             put(
                 "units",
                 buildJsonObject {
                     put("length", JsonPrimitive(UnitNames.raised(scale.units.length)))
                     put("speed", JsonPrimitive(UnitNames.raised(scale.speedName)))
+                    put("surfaceDensity", JsonPrimitive(UnitNames.raised(scale.units.surfaceDensity)))
                 },
             )
         }
         val text = tree.toString()
         // Columns of floats begin at a multiple of their size.
         return text + " ".repeat((ALIGNED - text.toByteArray().size % ALIGNED) % ALIGNED)
+    }
+
+    /** The image one box further along `normal` is displaced by `offset` along `slide`. */
+    private fun shear(shear: ImageShear, time: Double) = buildJsonObject {
+        put("normal", JsonPrimitive(shear.normalAxis))
+        put("slide", JsonPrimitive(shear.slideAxis))
+        put("offset", JsonPrimitive(shear.offset(time)))
     }
 
     private fun edges(span: Span): JsonElement =
@@ -148,11 +163,11 @@ internal class StateBytes(private val scale: PlotScale, private val most: Int = 
     private fun short(number: Double): String = String.format(Locale.ROOT, "%.4g", number)
 
     companion object {
-        /** 42 MB; what a browser draws as points. */
+        /** 50 MB; what a browser draws as points. */
         const val MOST = 2_000_000
         private const val AXES = 3
         private const val ALIGNED = 4
-        private const val BYTES_A_SPHERE = 5 * Float.SIZE_BYTES + 1
+        private const val BYTES_A_SPHERE = 6 * Float.SIZE_BYTES + 1
         private const val RARE = 1e-3
         private const val MOST_LOOKED_AT = 50_000
     }

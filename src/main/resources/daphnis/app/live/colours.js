@@ -1,5 +1,7 @@
 // What colours mean: quantities of a state, their ranges, the map and its bar.
 
+import { columnOf } from "./density.js";
+
 /** The map viridis of Smith and van der Walt (in the public domain) without its dark end, as in movies. */
 const QUANTITY = ["#3e4989", "#31688e", "#26828e", "#1f9e89", "#35b779", "#6ece58", "#b5de2b", "#fde725"];
 
@@ -14,6 +16,7 @@ const FAR_APART = 10; // sizes by logarithm from here on
 export function quantitiesOf(state) {
     const list = ["speed", "size"];
     if (state.head.dimensions === 3) list.push("height");
+    list.push("density");
     if (state.head.materials.length > 0) list.push("material");
     return list;
 }
@@ -21,21 +24,34 @@ export function quantitiesOf(state) {
 /** How a quantity of a state is painted: its column, range, kind and colours. */
 export function paintOf(state, quantity) {
     if (quantity === "material") return { column: "material", kind: 2, low: 0, high: 7, map: KINDS.map(rgb) };
-    const column = { speed: "speed", size: "radius", height: "z" }[quantity];
-    const numbers = sampled(state, column);
+    const column = { speed: "speed", size: "radius", height: "z", density: "density" }[quantity];
     const map = QUANTITY.map(rgb);
+    if (quantity === "size") {
+        const [low, high] = endsOf(state, column);
+        return { column, kind: high / low >= FAR_APART ? 1 : 0, low, high, map };
+    }
+    const numbers = sampled(state, column);
     if (numbers.length === 0) return { column, kind: 0, low: 0, high: 0, map };
     const at = (part) => numbers[Math.floor(part * (numbers.length - 1))];
-    if (quantity === "speed") return { column, kind: 0, low: 0, high: at(1 - RARE), map };
-    if (quantity === "height") return { column, kind: 0, low: at(RARE), high: at(1 - RARE), map };
-    const [low, high] = [at(0), at(1)];
-    return { column, kind: high / low >= FAR_APART ? 1 : 0, low, high, map };
+    return { column, kind: 0, low: quantity === "height" ? at(RARE) : 0, high: at(1 - RARE), map };
 }
 
-/** Numbers of a column in order, without bodies; of many spheres an even part. Sizes are all looked at. */
+/** The least and the largest number of a column, without bodies; 0 of none. */
+function endsOf(state, column) {
+    const { bodies, count } = state.head;
+    const all = state[column];
+    let [low, high] = bodies < count ? [all[bodies], all[bodies]] : [0, 0];
+    for (let k = bodies + 1; k < count; k++) {
+        if (all[k] < low) low = all[k];
+        else if (all[k] > high) high = all[k];
+    }
+    return [low, high];
+}
+
+/** Numbers of a column in order, without bodies; of many spheres an even part. */
 function sampled(state, column) {
-    const all = state[column].subarray(state.head.bodies);
-    const stride = column === "radius" ? 1 : Math.ceil(all.length / MOST_LOOKED_AT);
+    const all = columnOf(state, column).subarray(state.head.bodies);
+    const stride = Math.ceil(all.length / MOST_LOOKED_AT);
     if (stride <= 1) return all.slice().sort();
     const some = new Float32Array(Math.floor(all.length / stride));
     for (let k = 0; k < some.length; k++) some[k] = all[k * stride];
@@ -51,10 +67,11 @@ export function rgb(text) {
 /** What stands at the colour bar: the quantity with its unit. */
 export function labelOf(state, quantity) {
     const units = state.head.units;
-    const unit = { speed: units.speed, size: units.length, height: units.length }[quantity];
+    const { speed, length, surfaceDensity } = units;
+    const unit = { speed, size: length, height: length, density: surfaceDensity }[quantity];
     const name = {
         speed: state.head.flow ? "speed against the mean flow" : "speed",
-        size: "radius", height: "height z", material: "material",
+        size: "radius", height: "height z", material: "material", density: "surface density",
     }[quantity];
     return unit ? `${name} [${unit}]` : name;
 }

@@ -1,5 +1,6 @@
 // Draws a state into a canvas with WebGL 2.
 
+import { columnOf } from "./density.js";
 import * as shaders from "./shaders.js";
 
 const PLACES = ["x", "y", "z", "radius"]; // attributes 0 to 3; 4 is the number that the colour stands for
@@ -37,11 +38,7 @@ export class Drawing {
         const gl = this.gl;
         for (const buffer of Object.values(this.columns)) gl.deleteBuffer(buffer);
         this.columns = {};
-        for (const name of [...PLACES, "speed", "material"]) {
-            this.columns[name] = gl.createBuffer();
-            gl.bindBuffer(gl.ARRAY_BUFFER, this.columns[name]);
-            gl.bufferData(gl.ARRAY_BUFFER, state[name], gl.STATIC_DRAW);
-        }
+        this.state = state;
         this.count = state.head.count;
         this.bodies = state.head.bodies;
         this.largest = largestOf(state);
@@ -54,6 +51,15 @@ export class Drawing {
         gl.enableVertexAttribArray(0);
         gl.vertexAttribPointer(0, 3, gl.FLOAT, false, 0, 0);
         gl.bindVertexArray(null);
+    }
+
+    /** A column of the state on the device, to which it goes when it is first drawn. */
+    copied(name) {
+        const gl = this.gl;
+        this.columns[name] = gl.createBuffer();
+        gl.bindBuffer(gl.ARRAY_BUFFER, this.columns[name]);
+        gl.bufferData(gl.ARRAY_BUFFER, columnOf(this.state, name), gl.STATIC_DRAW);
+        return this.columns[name];
     }
 
     /** Bodies are always spheres, and are never made small. */
@@ -119,7 +125,7 @@ export class Drawing {
         const divisor = of === this.spheres ? 1 : 0;
         [...PLACES, paint.column].forEach((name, k) => {
             const isByte = name === "material";
-            gl.bindBuffer(gl.ARRAY_BUFFER, this.columns[name]);
+            gl.bindBuffer(gl.ARRAY_BUFFER, this.columns[name] ?? this.copied(name));
             gl.enableVertexAttribArray(k);
             gl.vertexAttribPointer(k, 1, isByte ? gl.UNSIGNED_BYTE : gl.FLOAT, false, 0, from * (isByte ? 1 : 4));
             gl.vertexAttribDivisor(k, divisor);

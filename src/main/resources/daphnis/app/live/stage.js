@@ -8,7 +8,7 @@ import { listen } from "./gestures.js";
 const MOST_SPHERES = 200000; // more are points
 const SLOW = 100; // milliseconds for a frame
 const FRAMES_TO_TELL = 3; // one after the other: the first one compiles, another may have been kept waiting
-const NAMES = { speed: "speed", size: "size", height: "height z", material: "material" };
+const NAMES = { speed: "speed", size: "size", height: "height z", density: "surface density", material: "material" };
 
 export class Stage {
     /** Throws an Error where there is no WebGL 2. */

@@ -1,6 +1,6 @@
 // States as the server sends them, and those that are kept.
 
-const COLUMNS = ["x", "y", "z", "radius", "speed"];
+const COLUMNS = ["x", "y", "z", "radius", "speed", "mass"];
 const MOST_TRIES = 20;
 const MOST_BYTES = 256 * 1024 * 1024;
 
@@ -11,7 +11,8 @@ const MOST_BYTES = 256 * 1024 * 1024;
 export function decode(buffer) {
     const length = new DataView(buffer).getUint32(0, true);
     const head = JSON.parse(new TextDecoder().decode(new Uint8Array(buffer, 4, length)));
-    const state = { head, bytes: buffer.byteLength };
+    // With the densities that may be computed of it.
+    const state = { head, bytes: buffer.byteLength + 4 * head.count };
     let place = 4 + length;
     for (const name of COLUMNS) {
         state[name] = floats(buffer, place, head.count);

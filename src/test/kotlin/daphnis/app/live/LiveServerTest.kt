@@ -58,7 +58,7 @@ class LiveServerTest {
     }
 
     private val scripts = listOf(
-        "page", "player", "states", "stage", "camera", "gestures", "colours", "drawing", "shaders",
+        "page", "player", "states", "stage", "camera", "gestures", "colours", "density", "drawing", "shaders",
     ).map { "$it.js" to "text/javascript" }
 
     @Test

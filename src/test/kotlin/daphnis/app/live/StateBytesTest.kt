@@ -6,6 +6,7 @@ import daphnis.analysis.table.UnitNames
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.ContactFaces
+import daphnis.core.boundary.ImageShear
 import daphnis.core.population.MeanFlow
 import daphnis.core.population.Population
 import kotlinx.serialization.json.Json
@@ -37,7 +38,7 @@ internal class DecodedState(bytes: ByteArray) {
         start = buffer.position()
         head = Json.parseToJsonElement(text.decodeToString()).jsonObject
         count = head.getValue("count").jsonPrimitive.content.toInt()
-        columns = List(5) { FloatArray(count) { buffer.getFloat() } }
+        columns = List(6) { FloatArray(count) { buffer.getFloat() } }
         material = ByteArray(count).also { buffer.get(it) }
         assertEquals(0, buffer.remaining())
     }
@@ -59,13 +60,15 @@ class StateBytesTest {
             DoubleArray(size) {
                 0.1 + random.nextDouble()
             },
-            DoubleArray(size) { 1.0 }, IntArray(size) { size - 1 - it },
+            DoubleArray(size) { 0.1 + random.nextDouble() }, IntArray(size) { size - 1 - it },
         )
     }
 
     /** A box with faces along x and y, open along z, where v_y = -0.75 x is the mean flow. */
     private class Sheet(override val box: Box, override val meanFlow: MeanFlow? = MeanFlow(0, 1, -0.75)) :
         BoundaryConditions {
+        override val shear = meanFlow?.let { ImageShear(box, it) }
+
         override fun contactFaces(axis: Int) = if (axis < 2) ContactFaces.PERIODIC else ContactFaces.OPEN
 
         override fun endStep(population: Population, time: Double) = Unit
@@ -94,10 +97,16 @@ class StateBytesTest {
             // In units of r Ω = 1.
             val speed = hypot(hypot(p.vx[k], p.vy[k] + 0.75 * p.x[k]), p.vz[k])
             assertEquals(speed, seen.columns[4][k].toDouble(), 1e-6)
+            assertEquals(p.mass[k], seen.columns[5][k].toDouble(), 1e-6)
             assertEquals(k % 3, seen.material[k].toInt())
         }
         assertEquals(listOf(-5.0, 5.0), seen.head.getValue("box").jsonArray[0].jsonArray.map { "$it".toDouble() })
         assertEquals(JsonNull, seen.head.getValue("box").jsonArray[2])
+        assertEquals(listOf(true, true), seen.head.getValue("repeats").jsonArray.map { "$it".toBoolean() })
+        val shear = seen.head.getValue("shear").jsonObject.mapValues { "${it.value}".toDouble() }
+        // In a time of 4 the image slides by -0.75 · 10 · 4, and three boxes of 8 less are -6, or 2.
+        assertEquals(mapOf("normal" to 0.0, "slide" to 1.0, "offset" to 2.0), shear)
+        assertEquals("1", seen.text("every"))
         assertEquals("v_y = -0.7500 x (rate in 1/(unit of time))", seen.text("flow"))
         assertTrue("200 spheres · box 10.00 × 8.000 × open" in seen.text("about")) { seen.text("about") }
         // An orbit takes 4 π.
@@ -111,6 +120,7 @@ class StateBytesTest {
         val seen = DecodedState(StateBytes(scale).of(State(p, Sheet(sheet.box, null), 0.0), 0))
         for (k in 0 until 20) assertEquals(hypot(hypot(p.vx[k], p.vy[k]), p.vz[k]), seen.columns[4][k].toDouble(), 1e-6)
         assertEquals(JsonNull, seen.head.getValue("flow"))
+        assertEquals(JsonNull, seen.head.getValue("shear"))
         assertTrue("flow" !in seen.text("about"))
     }
 
@@ -131,6 +141,7 @@ class StateBytesTest {
         val seen = DecodedState(StateBytes(scale, most = 300).of(State(p, sheet, 0.0, null, 990), 0))
         assertEquals(10, seen.text("bodies").toInt())
         assertEquals(10 + 248, seen.count)
+        assertEquals("4", seen.text("every"))
         assertTrue("258 of 1000 spheres" in seen.text("about")) { seen.text("about") }
         val shown =
             (0 until 1000).filter { p.id[it] >= 990 } + (0 until 1000).filter { p.id[it] < 990 && p.id[it] % 4 == 0 }
