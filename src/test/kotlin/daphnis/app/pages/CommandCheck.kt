@@ -14,6 +14,7 @@ import daphnis.app.understood
 import daphnis.core.Repository
 import daphnis.core.scenario.BuiltIn
 import daphnis.core.scenario.InputException
+import daphnis.core.scenario.ScenarioSetup
 import java.nio.file.Files
 import kotlin.io.path.isExecutable
 import kotlin.io.path.isRegularFile
@@ -82,9 +83,20 @@ internal class CommandCheck {
         if (name !in WITH_SCENARIO) return null
         val scenario = invocation.argumentInvocations.flatMap { it.values }.firstOrNull()
         val settings = options["--set"].orEmpty()
-        if (name != "sweep") return settingsProblem(scenario, settings)
-        val plan = SweepPlan.of(settings, options["--seeds"]?.single())
-        return plan.runs.firstNotNullOfOrNull { settingsProblem(scenario, it.settings) }
+        val seeds = options["--seeds"]?.single()
+        val all = if (name == "sweep") SweepPlan.of(settings, seeds).runs.map { it.settings } else listOf(settings)
+        return all.distinct().firstNotNullOfOrNull { settingsProblem(scenario, it) ?: startProblem(scenario, it) }
+    }
+
+    /** Whether a run of a built-in scenario can start with [settings]. */
+    private fun startProblem(scenario: String?, settings: List<String>): String? {
+        if (scenario == null || scenario !in BuiltIn.names) return null
+        return try {
+            ScenarioSetup.check(BuiltIn.scenario(scenario, settings), scenario)
+            null
+        } catch (e: InputException) {
+            e.message
+        }
     }
 
     /** [scenario] is a file's name, a built-in one's or null; of a file that is not there all that any takes is right. */

@@ -57,6 +57,7 @@ class CommandsTest {
             "./daphnis run mine.json --set particles.optical=1" to "particles.optical",
             "./daphnis run ring-patch --set 'box.lengths=[1,2'" to "box.lengths",
             "./daphnis sweep ring-patch --set particles.opticalDepht=1,2" to "opticalDepht",
+            "./daphnis run elastic-gas --set particles.fillingFactor=0.1" to "needs exactly one of count",
             "./daphnis sweep ring-patch --set particles.opticalDepth=1" to "nothing to sweep",
             "./daphnis export runs/a --format xyzz" to "xyzz",
             "./daphnis run a b" to "unexpected extra argument",
