@@ -16,21 +16,32 @@ CHECKOUT = Path(__file__).resolve().parents[2]
 
 
 def run_blocks(page: Path) -> int:
-    """Runs the blocks of Python in `page` one after the other, as one program; the number of them."""
-    blocks = re.findall(r"^```python\n(.*?)^```$", page.read_text("utf-8"), re.M | re.S)
+    """Runs the blocks of Python in `page` one after the other, as one program; the number of them.
+
+    `<!-- in tests: NAME = VALUE -->` above a block takes the place of the line of that name.
+    """
+    text = page.read_text("utf-8")
+    blocks = re.findall(r"^```python\n(.*?)^```$", text, re.M | re.S)
+    for short in re.findall(r"^<!-- in tests: (\w+ = .*?) -->\n```python$", text, re.M):
+        name = short.split(" = ")[0]
+        assert any(re.search(rf"^{name} = ", block, re.M) for block in blocks), short
+        blocks = [re.sub(rf"^{name} = .*$", short, block, flags=re.M) for block in blocks]
     known: dict[str, Any] = {}
     for block in blocks:
         exec(compile(block, str(page), "exec"), known)
     return len(blocks)
 
 
-PAGES = ("README.md", "python/README.md", "docs/python.md")
+EXAMPLES = [path for path in sorted((CHECKOUT / "docs" / "examples").glob("*.md")) if "```python" in path.read_text("utf-8")]
+PAGES = ("README.md", "python/README.md", "docs/python.md", *(f"docs/examples/{path.name}" for path in EXAMPLES))
 
 
 @pytest.mark.parametrize("page", PAGES)
 def test_blocks_of_python_run(
     page: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
+    if "matplotlib" in (CHECKOUT / page).read_text("utf-8") and page.startswith("docs/examples"):
+        pytest.importorskip("matplotlib").use("Agg")
     monkeypatch.chdir(tmp_path)
     assert run_blocks(CHECKOUT / page) > 0
     assert capsys.readouterr().out

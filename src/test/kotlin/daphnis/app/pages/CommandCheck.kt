@@ -16,9 +16,10 @@ import daphnis.core.scenario.BuiltIn
 import daphnis.core.scenario.InputException
 import daphnis.core.scenario.ScenarioSetup
 import java.nio.file.Files
+import kotlin.io.path.extension
 import kotlin.io.path.isExecutable
 import kotlin.io.path.isRegularFile
-import kotlin.io.path.name
+import kotlin.io.path.nameWithoutExtension
 import kotlin.io.path.readText
 
 /** What is wrong with a command, found without running it: null when nothing is. */
@@ -29,9 +30,9 @@ internal class CommandCheck {
     private val classes: Set<String> by lazy {
         listOf("core", "actors", "analysis", "bench", "src").flatMap { module ->
             Files.walk(root.resolve(module)).use { files ->
-                files.filter { "${it.parent}".contains("src") && it.name.endsWith(".kt") }.toList()
+                files.filter { "${it.parent}".contains("src") && it.extension in setOf("kt", "java") }.toList()
             }
-        }.map { it.name.removeSuffix(".kt") }.toSet()
+        }.map { it.nameWithoutExtension }.toSet()
     }
 
     fun problem(words: List<String>): String? {

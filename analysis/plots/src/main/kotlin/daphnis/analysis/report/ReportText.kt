@@ -15,6 +15,9 @@ import kotlin.math.round
 internal object ReportText {
     private const val MOST_DECIMALS = 8
 
+    /** An error below this part of the number is that of its arithmetic: a sum over runs in which all is the same. */
+    private const val ROUND_OFF = 1e-12
+
     /** [value] in [digits] significant digits; whole numbers in full. `–` for NaN. */
     fun plain(value: Double, digits: Int = 4): String {
         val size = abs(value)
@@ -48,10 +51,10 @@ internal object ReportText {
         return "(${part(first)} to ${part(last)})${PowersOfTen.times(power)}"
     }
 
-    /** A number with as many digits as its [error] leaves meaningful; without one, as [plain]. */
+    /** A number with as many digits as its [error] leaves meaningful; without one, or with round-off, as [plain]. */
     fun withError(value: Double, error: Double): String {
         if (value.isNaN()) return "–"
-        if (!value.isFinite() || error == 0.0 || !error.isFinite()) return plain(value)
+        if (!value.isFinite() || error <= ROUND_OFF * abs(value) || !error.isFinite()) return plain(value)
         val digits = 1 - floor(log10(error)).toInt()
         val size = abs(value)
         if (size >= SMALL && size < LARGE && digits <= MOST_DECIMALS) {

@@ -12,6 +12,8 @@ class ReportTextTest {
         assertEquals("(3.34 ± 0.12) · 10⁻⁴", ReportText.withError(3.342e-4, 1.2e-5))
         assertEquals("–", ReportText.withError(Double.NaN, 1.0))
         assertEquals("2.500", ReportText.withError(2.5, Double.NaN))
+        assertEquals("1.000", ReportText.withError(1.0000000000000013, 2e-16)) { "round-off is no error" }
+        assertEquals("(1.00000000 ± 0.00000000)", ReportText.withError(1.0, 1e-10).substringBefore(" ·"))
         assertEquals("25093", ReportText.plain(25093.0797))
     }
 
