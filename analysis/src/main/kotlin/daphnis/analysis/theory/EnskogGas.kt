@@ -12,8 +12,8 @@ import kotlin.math.sqrt
  * factor of 0.4 viscosities are within a tenth of those of simulations, and spheres diffuse up to a third faster.
  */
 public object EnskogGas {
-    /** Filling factor up to which what is said above holds. */
-    public const val MOST_FILLED: Double = 0.4
+    /** Filling factor up to which what is said above holds: 0.4, and what whole numbers of spheres add to it. */
+    public const val MOST_FILLED: Double = 0.4005
 
     // Values of a dilute gas over their first approximations.
     private const val SONINE = 1.016

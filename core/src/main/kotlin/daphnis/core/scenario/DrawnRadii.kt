@@ -32,15 +32,22 @@ internal class DrawnRadii(
     private val isOneSize = kinds.all { it.least == kinds[0].least && it.most == it.least }
 
     fun draw(): Drawn {
-        val given = listOfNotNull(spec.count, spec.fillingFactor, spec.opticalDepth, spec.surfaceDensity).size
+        val amounts = listOf(
+            "count" to spec.count,
+            "fillingFactor" to spec.fillingFactor,
+            "opticalDepth" to spec.opticalDepth,
+            "surfaceDensity" to spec.surfaceDensity,
+        )
+        val given = amounts.filter { it.second != null }.map { it.first }
         spec.materials?.mapNotNull { it.count }?.takeIf { it.isNotEmpty() }?.let { counts ->
-            check.must("particles", given == 0) {
+            check.must("particles", given.isEmpty()) {
                 "needs none of count, fillingFactor, opticalDepth and surfaceDensity, since its materials have counts"
             }
             return counted("particles.materials", counts)
         }
-        check.must("particles", given == 1) {
-            "needs exactly one of count, fillingFactor, opticalDepth and surfaceDensity"
+        check.must("particles", given.size == 1) {
+            val has = if (given.isEmpty()) "none" else given.joinToString(" and ")
+            "needs exactly one of count, fillingFactor, opticalDepth and surfaceDensity; it has $has"
         }
         spec.count?.let { count ->
             check.that("particles.count", count, count in 1..MOST_PARTICLES) { "must be in 1..$MOST_PARTICLES" }

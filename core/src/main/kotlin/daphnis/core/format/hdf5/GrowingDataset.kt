@@ -1,6 +1,7 @@
 package daphnis.core.format.hdf5
 
 import daphnis.core.format.hdf5.Messages.Message
+import daphnis.core.growth.GrowingTable
 import java.io.IOException
 import java.nio.ByteBuffer
 import java.nio.ByteOrder
@@ -30,9 +31,7 @@ internal class GrowingDataset(
 
     private var frames = 0L
     private var held = 0
-    private var addresses = LongArray(FIRST)
-    private var sizes = IntArray(FIRST)
-    private var chunks = 0
+    private val chunks = Chunks()
 
     private fun mostFrames() = if (isPacked) MOST_BYTES else MOST_BARE_BYTES
 
@@ -56,17 +55,11 @@ internal class GrowingDataset(
         val bytes = chunk.array()
         val size = chunkFrames * chunkRows * rowBytes
         bytes.fill(0, chunk.position(), size)
-        if (chunks == addresses.size) {
-            addresses = addresses.copyOf(2 * chunks)
-            sizes = sizes.copyOf(2 * chunks)
-        }
         if (isPacked) {
             file.packing.pack(bytes, size, type.size)
-            addresses[chunks] = file.append(file.packing.packed, file.packing.size)
-            sizes[chunks++] = file.packing.size
+            chunks.add(file.append(file.packing.packed, file.packing.size), file.packing.size)
         } else {
-            addresses[chunks] = file.append(bytes, size)
-            sizes[chunks++] = size
+            chunks.add(file.append(bytes, size), size)
         }
         chunk.clear()
         held = 0
@@ -74,11 +67,11 @@ internal class GrowingDataset(
 
     override fun finish() {
         if (held == 0) return
-        if (chunks == 0) chunkFrames = held
+        if (chunks.size == 0) chunkFrames = held
         flush()
     }
 
-    override fun mostChunks(): Int = chunks
+    override fun mostChunks(): Int = chunks.size
 
     private fun place(k: Int): LongArray = place(k / parts * chunkFrames.toLong(), k % parts * chunkRows.toLong())
 
@@ -88,8 +81,8 @@ internal class GrowingDataset(
     }
 
     override fun messages(index: ChunkIndex): List<Message> {
-        val end = place(chunks.toLong() / parts * chunkFrames, 0)
-        val root = index.write(chunks, ::place, { sizes[it] }, { addresses[it] }, end)
+        val end = place(chunks.size.toLong() / parts * chunkFrames, 0)
+        val root = index.write(chunks.size, ::place, chunks::bytes, chunks::address, end)
         val shape = intArrayOf(chunkFrames) + frame
         if (frame.isNotEmpty()) shape[1] = chunkRows
         return listOfNotNull(
@@ -101,13 +94,33 @@ internal class GrowingDataset(
         )
     }
 
+    /** Where chunks lie in the file, and how many bytes they have there. */
+    private class Chunks : GrowingTable() {
+        private var addresses = LongArray(0)
+        private var sizes = IntArray(0)
+
+        override fun resize(room: Int) {
+            addresses = addresses.copyOf(room)
+            sizes = sizes.copyOf(room)
+        }
+
+        fun add(address: Long, bytes: Int) {
+            val k = append()
+            addresses[k] = address
+            sizes[k] = bytes
+        }
+
+        fun address(k: Int): Long = addresses[k]
+
+        fun bytes(k: Int): Int = sizes[k]
+    }
+
     private companion object {
         /** Of a chunk: below 1 MiB, the cache that the HDF5 library gives a dataset. */
         const val MOST_BYTES = 768 * 1024
 
         /** Of a chunk that is written as it is, which has room at the end of the dataset. */
         const val MOST_BARE_BYTES = 8 * 1024
-        const val FIRST = 4
 
         fun ceil(number: Int, by: Int): Int = (number - 1) / by + 1
     }
