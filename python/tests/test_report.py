@@ -106,6 +106,10 @@ def test_states_are_drawn_to_scale(ring: daphnis.Run) -> None:
     assert axes.get_xlim() == (-20, 20)
     side = state.plot(view="side")
     assert side.get_ylim()[1] >= state.z.max()
+    along = state.plot(view="along")
+    assert along.get_xlabel() == "x [m]" and along.get_ylabel() == "z [m]"
+    # The reader is at negative y, so what has the largest y is drawn first.
+    assert along.collections[0].get_offsets()[0][0] == state.x[state.y.argmax()]
     for wrong in ({"view": "below"}, {"color": np.zeros(3)}):
         with pytest.raises(daphnis.InputError):
             state.plot(**wrong)  # type: ignore[arg-type]

@@ -24,6 +24,9 @@ if TYPE_CHECKING:
     from .runs import Run
     from .scenarios import Units
 
+_VIEWS = {"top": (1, 0, 2, 1), "side": (1, 2, 0, 1), "along": (0, 2, 1, -1)}
+"""Axes to the right, upward and along the sight, and the sign with which that points to the reader."""
+
 
 class State:
     """All spheres at one time, in the order of their ids: of a snapshot, a checkpoint or a simulation.
@@ -197,7 +200,8 @@ class State:
 
         Args:
             ax: where to draw; a new figure without it.
-            view: "top" shows y to the right and x upward, "side" y to the right and z upward.
+            view: "top" shows y to the right and x upward, "side" y to the right and z upward, "along" x to the right
+                and z upward, as seen along y.
             color: a number for each sphere, shape (n,), in the order of ids. Without it the coordinate toward the
                 reader.
             keywords: for matplotlib's ``EllipseCollection``, such as ``cmap``.
@@ -205,15 +209,16 @@ class State:
         Returns:
             The axes. Their last collection is a mappable for ``colorbar``.
         """
-        if view not in ("top", "side"):
-            raise InputError(f'view: is {view!r}; it must be "top" or "side"')
+        if view not in _VIEWS:
+            raise InputError(f"view: is {view!r}; it must be one of {', '.join(_VIEWS)}")
         from matplotlib import pyplot
         from matplotlib.collections import EllipseCollection
 
-        upward, toward = (0, 2) if view == "top" else (2, 0)
-        values = self.position[:, toward] if color is None else _arrays.numbers("color", color, (len(self),))
+        right, upward, toward, sign = _VIEWS[view]
+        depth = sign * self.position[:, toward]
+        values = depth if color is None else _arrays.numbers("color", color, (len(self),))
         # What is nearer to the reader lies above.
-        order = np.argsort(self.position[:, toward], kind="stable")
+        order = np.argsort(depth, kind="stable")
         discs = 2 * self.radius[order]
         if ax is None:
             ax = pyplot.subplots()[1]
@@ -223,16 +228,15 @@ class State:
             np.zeros(len(self)),
             units="xy",
             transOffset=ax.transData,
-            offsets=self.position[order][:, (1, upward)],
+            offsets=self.position[order][:, (right, upward)],
             array=values[order],
             **keywords,
         )
         ax.add_collection(drawn)
         ax.set_aspect("equal")
-        for name, axis, limit in (("y", 1, ax.set_xlim), ("xyz"[upward], upward, ax.set_ylim)):
+        for axis, limit, name in ((right, ax.set_xlim, ax.set_xlabel), (upward, ax.set_ylim, ax.set_ylabel)):
             limit(self._limits(axis))
-            label = name if self.units is None else f"{name} [{self.units.length}]"
-            (ax.set_xlabel if axis == 1 else ax.set_ylabel)(label)
+            name("xyz"[axis] if self.units is None else f"{'xyz'[axis]} [{self.units.length}]")
         return ax
 
     def _limits(self, axis: int) -> tuple[float, float]:
