@@ -30,8 +30,9 @@ internal class GrowingDataset(
 
     private var frames = 0L
     private var held = 0
-    private var addresses = LongArray(FIRST)
-    private var sizes = IntArray(FIRST)
+
+    /** Address and bytes of each chunk, in turn. */
+    private var places = LongArray(FIRST)
     private var chunks = 0
 
     private fun mostFrames() = if (isPacked) MOST_BYTES else MOST_BARE_BYTES
@@ -56,18 +57,19 @@ internal class GrowingDataset(
         val bytes = chunk.array()
         val size = chunkFrames * chunkRows * rowBytes
         bytes.fill(0, chunk.position(), size)
-        if (chunks == addresses.size) {
-            addresses = addresses.copyOf(2 * chunks)
-            sizes = sizes.copyOf(2 * chunks)
-        }
+        val address: Long
+        val stored: Int
         if (isPacked) {
             file.packing.pack(bytes, size, type.size)
-            addresses[chunks] = file.append(file.packing.packed, file.packing.size)
-            sizes[chunks++] = file.packing.size
+            stored = file.packing.size
+            address = file.append(file.packing.packed, stored)
         } else {
-            addresses[chunks] = file.append(bytes, size)
-            sizes[chunks++] = size
+            stored = size
+            address = file.append(bytes, size)
         }
+        if (2 * chunks == places.size) places = places.copyOf(2 * places.size)
+        places[2 * chunks] = address
+        places[2 * chunks++ + 1] = stored.toLong()
         chunk.clear()
         held = 0
     }
@@ -89,7 +91,7 @@ internal class GrowingDataset(
 
     override fun messages(index: ChunkIndex): List<Message> {
         val end = place(chunks.toLong() / parts * chunkFrames, 0)
-        val root = index.write(chunks, ::place, { sizes[it] }, { addresses[it] }, end)
+        val root = index.write(chunks, ::place, { places[2 * it + 1].toInt() }, { places[2 * it] }, end)
         val shape = intArrayOf(chunkFrames) + frame
         if (frame.isNotEmpty()) shape[1] = chunkRows
         return listOfNotNull(
