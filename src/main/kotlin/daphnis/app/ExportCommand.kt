@@ -82,15 +82,19 @@ class ExportCommand : CliktCommand(name = "export") {
     /** [snapshots], refused where they are of different particles and the format cannot hold that. */
     private fun sameParticles(snapshots: Sequence<Snapshot>): Sequence<Snapshot> {
         if (format.keeps.changingParticles) return snapshots
-        var first: Snapshot? = null
+        var first: IntArray? = null
+        var step = 0L
         return snapshots.onEach { snapshot ->
-            val before = first ?: snapshot.also { first = it }
-            if (snapshot.id.contentEquals(before.id)) return@onEach
+            val ids = first ?: snapshot.id.also {
+                first = it
+                step = snapshot.step
+            }
+            if (snapshot.id.contentEquals(ids)) return@onEach
             val others = FORMATS.filter { it.keeps.changingParticles && it.keeps.ids != Presence.NEVER }
             throw InputException(
                 "--format",
                 null,
-                "is ${format.word}, which needs the same particles in every state; those of steps ${before.step} and " +
+                "is ${format.word}, which needs the same particles in every state; those of steps $step and " +
                     "${snapshot.step} differ; ${others.dropLast(1).joinToString {
                         it.word
                     }} and ${others.last().word} do not",

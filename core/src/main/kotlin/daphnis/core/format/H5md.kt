@@ -50,14 +50,10 @@ public object H5md : ReadableFormat, WritableFormat {
         val names = if (units == null) null else H5mdWriter.UnitNames("m", "s", "kg")
         val states = (if (units == null) snapshots else snapshots.map { units.convert(it) }).iterator()
         require(states.hasNext()) { "no frame to write" }
-        var state = states.next()
         Hdf5File(path).use { file ->
-            val writer = H5mdWriter(file, state, version, names)
-            writer.add(state)
-            while (states.hasNext()) {
-                state = states.next()
-                writer.add(state)
-            }
+            // No variable holds a state while the next one is read.
+            val writer = states.next().let { first -> H5mdWriter(file, first, version, names).also { it.add(first) } }
+            while (states.hasNext()) writer.add(states.next())
             writer.finish()
         }
     }

@@ -36,7 +36,16 @@ internal class H5mdEdges {
         val dataset = GrowingDataset(file, Datatype.DOUBLE, frame, isPacked = false)
         for (t in 0 until count) {
             dataset.append { buffer, _, _ ->
-                for (row in 0..2) if (slid) vector(t, row).forEach(buffer::putDouble) else buffer.putDouble(length(t, row))
+                for (row in 0..2) {
+                    if (slid) {
+                        vector(
+                            t,
+                            row,
+                        ).forEach(buffer::putDouble)
+                    } else {
+                        buffer.putDouble(length(t, row))
+                    }
+                }
             }
         }
         return dataset

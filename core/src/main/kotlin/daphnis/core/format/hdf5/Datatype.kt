@@ -29,8 +29,7 @@ internal class Datatype private constructor(val size: Int, bytes: Bytes) {
         )
 
         /** Texts in UTF-8 of at most [most] bytes, which end with a zero. */
-        fun text(most: Int): Datatype =
-            Datatype(most + 1, Bytes().byte(TEXT).byte(0x10).byte(0).byte(0).int(most + 1))
+        fun text(most: Int): Datatype = Datatype(most + 1, Bytes().byte(TEXT).byte(0x10).byte(0).byte(0).int(most + 1))
 
         private fun integer(size: Int) = Datatype(
             size,

@@ -62,7 +62,8 @@ internal class Hdf5File(path: Path) : Closeable {
 
     private companion object {
         const val SUPERBLOCK = 48
-        val SIGNATURE = byteArrayOf(0x89.toByte(), 'H'.code.toByte(), 'D'.code.toByte(), 'F'.code.toByte(), 13, 10, 26, 10)
+        val SIGNATURE =
+            byteArrayOf(0x89.toByte(), 'H'.code.toByte(), 'D'.code.toByte(), 'F'.code.toByte(), 13, 10, 26, 10)
 
         /** What the HDF5 library takes where the file does not say it. */
         const val USUAL_HALF = 32

@@ -84,7 +84,11 @@ internal class Hdf5Group(file: Hdf5File) : Hdf5Object(file) {
 
     override fun mostChunks(): Int = members.values.maxOfOrNull { it.mostChunks() } ?: 0
 
-    override fun messages(index: ChunkIndex): List<Message> = Messages.group(members.mapValues { it.value.write(index) })
+    override fun messages(index: ChunkIndex): List<Message> = Messages.group(
+        members.mapValues {
+            it.value.write(index)
+        },
+    )
 }
 
 /** A dataset of one axis that is written at once, as it is. */
