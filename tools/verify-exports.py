@@ -43,7 +43,7 @@ n = len(frames[0]["id"])
 print(f"snapshots      h5py {h5py.__version__}: {len(frames)} frames of {n} particles, steps {[f['step'] for f in frames]}")
 
 with h5py.File(export / "trajectory.h5") as f:
-    assert list(f["h5md"].attrs["version"]) == [1, 1]
+    assert list(f["h5md"].attrs["version"]) == [1, 1] and len(f["h5md"].attrs) == 1
     assert f["h5md/creator"].attrs["name"] in ("daphnis", b"daphnis")
     value = f["particles/all/position/value"]
     assert value.shape == (len(frames), n, 3) and value.dtype == np.float64

@@ -118,10 +118,18 @@ class MovieCommand : CliktCommand(name = "movie") {
         val isOne = frames.number == 1
         if (isOne) printLine("the run has one snapshot only: for more, set output.snapshotEvery before a run")
         val count = if (isOne) "1 frame" else "${frames.number} frames"
-        val length = String.format(Locale.ROOT, "%.1f", frames.number / rate).removeSuffix(".0")
+        val length = String.format(
+            Locale.ROOT,
+            "%.${if (frames.number < rate) 2 else 1}f",
+            frames.number / rate,
+        ).removeSuffix(".0")
         val seconds = "$length s at ${number(rate)} per second"
         printLine("$count of ${frames.width} × ${frames.height} pixels, $seconds, ${size(Files.size(file))}, to $file")
-        if (frames.writer == "jcodec") printLine("with the program ffmpeg on the PATH it would be smaller")
+        if (frames.writer ==
+            "jcodec"
+        ) {
+            printLine("with the program ffmpeg, and libx264 in it, on the PATH it would be smaller")
+        }
         if (fps == null &&
             rate < MovieOptions.USUAL_RATE
         ) {

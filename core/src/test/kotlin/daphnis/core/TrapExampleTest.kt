@@ -45,6 +45,7 @@ object Trap : Kick, PerSphereEnergy {
 // end
 
 // example: widths
+
 /** Time, mean of r² and mean of 2z² − x² − y² after each step, in [file] at the end. */
 class Widths(private val file: Path) : Output {
     val rows = ArrayList<Double>()
@@ -72,6 +73,7 @@ class Widths(private val file: Path) : Output {
 // end
 
 // example: trappedGas
+
 /** A gas of temperature 1 in the trap, stretched by half along z, which swings from then on. */
 class TrappedGas(private val spheres: Int, private val diameter: Double, override val until: Double, file: Path) :
     Program {
@@ -107,6 +109,7 @@ class TrappedGas(private val spheres: Int, private val diameter: Double, overrid
 // end
 
 // example: swing
+
 /**
  * Amplitude of exp(2it) in column [column] of [rows], which is that of a swing with the period π, in a window of four
  * of these from [from] on: twice the mean of (value − mean) exp(2it).

@@ -4,10 +4,14 @@ package daphnis.core.population
 internal object MaterialNames {
     /** The most materials: a table has a number for each pair. */
     const val MOST: Int = 1000
-    private val WORD = Regex("[A-Za-z0-9_-]+")
+
+    /** The most letters of a name: H5MD has room for as many of [MOST] names. */
+    private const val LONGEST = 64
+    private val WORD = Regex("[A-Za-z0-9_-]{1,$LONGEST}")
 
     /** What is wrong with [name], in words that follow it; null when it is a plain word, which every file can hold. */
-    fun problem(name: String): String? = if (WORD.matches(name)) null else "must be a word of letters, digits, _ and -"
+    fun problem(name: String): String? =
+        if (WORD.matches(name)) null else "must be a word of at most $LONGEST letters, digits, _ and -"
 
     /**
      * Checks that [names] are plain words, and that each of the [spheres] has the number of one.

@@ -87,7 +87,7 @@ class MaterialColumnsTest {
         fun refused(numbers: IntArray, vararg names: String) = assertThrows(IllegalArgumentException::class.java) {
             plain.withMaterial(numbers, names.asList())
         }.message.orEmpty()
-        assertEquals("material '' must be a word of letters, digits, _ and -", refused(IntArray(20), ""))
+        assertEquals("material '' must be a word of at most 64 letters, digits, _ and -", refused(IntArray(20), ""))
         assertTrue("'a b'" in refused(IntArray(20), "ice", "a b"))
         assertTrue("occurs twice" in refused(IntArray(20), "ice", "ice"))
         assertTrue("no material is named" in refused(IntArray(20)))

@@ -8,6 +8,8 @@ import java.nio.ByteBuffer
 import java.nio.ByteOrder
 import java.nio.file.Files
 import java.nio.file.Path
+import java.util.concurrent.CompletableFuture
+import java.util.concurrent.ExecutionException
 import java.util.concurrent.TimeUnit
 
 /**
@@ -27,6 +29,9 @@ internal class FfmpegFile(
     override val writer: String = "ffmpeg"
     private val said: Path = Files.createTempFile("daphnis-ffmpeg", ".log").also { it.toFile().deleteOnExit() }
     private val process: Process
+
+    /** A program that ends at a signal closes nothing. */
+    private val stop = Thread { process.destroyForcibly() }
     private val bytes = ByteBuffer.allocate(Int.SIZE_BYTES * width * height).order(ByteOrder.LITTLE_ENDIAN)
     private val pixels = bytes.asIntBuffer()
 
@@ -43,6 +48,7 @@ internal class FfmpegFile(
             Files.deleteIfExists(said)
             throw e
         }
+        Runtime.getRuntime().addShutdownHook(stop)
     }
 
     override fun add(image: BufferedImage) {
@@ -68,12 +74,19 @@ internal class FfmpegFile(
     private fun failed(cause: IOException?): IOException {
         if (!process.waitFor(PATIENCE, TimeUnit.SECONDS)) process.destroyForcibly().waitFor()
         val last = Files.readAllLines(said, Charsets.ISO_8859_1).lastOrNull { it.isNotBlank() }
-        return IOException("${program.path} failed: ${last?.trim() ?: "exit status ${process.exitValue()}"}", cause)
+        val status = process.exitValue()
+        val why = last?.trim() ?: if (status == 0) "it ended before the last frame" else "exit status $status"
+        return IOException("${program.path} failed: $why", cause)
     }
 
     override fun close() {
         if (process.isAlive) process.destroyForcibly().waitFor()
         Files.deleteIfExists(said)
+        try {
+            Runtime.getRuntime().removeShutdownHook(stop)
+        } catch (_: IllegalStateException) {
+            // The program is ending, and the hook has its turn.
+        }
     }
 
     private companion object {
@@ -105,12 +118,20 @@ internal class Ffmpeg private constructor(val path: Path, val encoders: Set<Stri
             val process = ProcessBuilder("$program", "-nostdin", "-hide_banner", "-encoders")
                 .redirectError(ProcessBuilder.Redirect.DISCARD).start()
             process.outputStream.close()
-            val lines = process.inputReader().readLines()
-            if (process.waitFor() == 0) lines.mapNotNull { ENCODER.find(it)?.groupValues?.get(1) }.toSet() else null
+            val asked = CompletableFuture.supplyAsync { process.inputReader().readLines() }
+            // One that does not answer is none.
+            val lines = asked.completeOnTimeout(null, PATIENCE, TimeUnit.SECONDS).get()
+            if (lines == null || !process.waitFor(PATIENCE, TimeUnit.SECONDS)) process.destroyForcibly()
+            val isGood = lines != null && process.waitFor() == 0
+            if (isGood) lines!!.mapNotNull { ENCODER.find(it)?.groupValues?.get(1) }.toSet() else null
         } catch (_: IOException) {
+            null
+        } catch (_: ExecutionException) {
             null
         }
 
+        /** Seconds in which it says what it can. */
+        private const val PATIENCE = 10L
         private val ENCODER = Regex("""^ V\S+ (\S+)""")
     }
 }

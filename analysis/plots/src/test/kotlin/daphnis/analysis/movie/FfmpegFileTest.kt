@@ -76,6 +76,10 @@ class FfmpegFileTest {
             open(early, side = 512).use { out -> repeat(8) { out.add(picture(512, it)) } }
         }
         assertTrue("ffmpeg failed: Unknown encoder" in told.message!!) { "$told" }
+        val none = assertThrows(IOException::class.java) {
+            open(found("exit 0"), side = 512).use { out -> repeat(8) { out.add(picture(512, it)) } }
+        }
+        assertTrue("ended before the last frame" in none.message!!) { "$none" }
         val late = found("cat >/dev/null; exit 7")
         val end = assertThrows(IOException::class.java) {
             open(late).use { out ->

@@ -49,7 +49,8 @@ internal abstract class Hdf5Object(protected val file: Hdf5File) {
     fun write(index: ChunkIndex): Long {
         if (address == Messages.NONE) {
             val counted = if (links > 1) listOf(Messages.references(links)) else emptyList()
-            address = file.append(Messages.header(messages(index) + attributes + counted))
+            val named = if (attributes.isEmpty()) emptyList() else listOf(Messages.attributeInfo()) + attributes
+            address = file.append(Messages.header(messages(index) + named + counted))
         }
         return address
     }

@@ -18,6 +18,7 @@ internal object Messages {
     private const val FILTERS = 0x0B
     private const val ATTRIBUTE = 0x0C
     private const val BTREE_K = 0x13
+    private const val ATTRIBUTE_INFO = 0x15
     private const val REFERENCES = 0x16
 
     private const val MOST_BYTES = 0xffff
@@ -62,6 +63,9 @@ internal object Messages {
                 .all(text).byte(0).all(type.description).all(space).all(data),
         )
     }
+
+    /** That there are attributes in the header: without it the HDF5 library counts none. */
+    fun attributeInfo(): Message = Message(ATTRIBUTE_INFO, Bytes().byte(0).byte(0).long(NONE).long(NONE))
 
     /** @param grows whether the first extent may grow without end */
     fun dataspace(extents: LongArray, grows: Boolean): Message {

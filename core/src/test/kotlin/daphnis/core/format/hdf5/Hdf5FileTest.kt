@@ -9,6 +9,8 @@ import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
+import java.nio.ByteBuffer
+import java.nio.ByteOrder
 import java.nio.file.Files
 import java.nio.file.Path
 
@@ -56,6 +58,30 @@ class Hdf5FileTest {
                 assertEquals(-1L, dataset.maxSize[0])
             }
         }
+    }
+
+    /** The HDF5 library counts attributes by a message of its own, which jHDF does without. */
+    @Test
+    fun `a header with attributes says that there are some`() {
+        val bytes = Files.readAllBytes(
+            write {
+                it.root.group("with").attribute("name", "text")
+                it.root.group("without")
+            },
+        )
+        val buffer = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN)
+        val headers = (0 until bytes.size - 4).filter {
+            String(bytes, it, 4, Charsets.ISO_8859_1) == "OHDR"
+        }.map { at ->
+            val end = at + 10 + buffer.getInt(at + 6)
+            generateSequence(at + 10) {
+                it + 4 + buffer.getShort(it + 1)
+            }.takeWhile { it < end }.map { bytes[it] }.toList()
+        }
+        // The fourth is of the superblock.
+        assertEquals(4, headers.size)
+        for (types in headers) assertEquals(0x0C.toByte() in types, 0x15.toByte() in types) { "$types" }
+        assertEquals(1, headers.count { 0x15.toByte() in it })
     }
 
     @Test
