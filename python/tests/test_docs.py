@@ -32,7 +32,9 @@ def run_blocks(page: Path) -> int:
     return len(blocks)
 
 
-EXAMPLES = [path for path in sorted((CHECKOUT / "docs" / "examples").glob("*.md")) if "```python" in path.read_text("utf-8")]
+EXAMPLES = [
+    path for path in sorted((CHECKOUT / "docs" / "examples").glob("*.md")) if "```python" in path.read_text("utf-8")
+]
 PAGES = ("README.md", "python/README.md", "docs/python.md", *(f"docs/examples/{path.name}" for path in EXAMPLES))
 
 

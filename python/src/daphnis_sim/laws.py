@@ -8,7 +8,7 @@ import math
 import threading
 from collections.abc import Callable, Sequence
 from types import CodeType
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, overload
 
 import jpype
 import numpy as np
@@ -399,6 +399,16 @@ def contact_law(function: Callable[[Contact], tuple[float, float]]) -> ContactLa
     return ContactLaw(function)
 
 
+@overload
+def kick(
+    function: Callable[[Spheres, float, float], ArrayLike],
+    *,
+    potential: Callable[[Spheres, float], ArrayLike] | None = None,
+) -> Force: ...
+@overload
+def kick(
+    function: None = None, *, potential: Callable[[Spheres, float], ArrayLike] | None = None
+) -> Callable[[Callable[[Spheres, float, float], ArrayLike]], Force]: ...
 def kick(
     function: Callable[[Spheres, float, float], ArrayLike] | None = None,
     *,
@@ -419,6 +429,14 @@ def kick(
     return Force(function, True, potential)
 
 
+@overload
+def acceleration(
+    function: Callable[[Spheres, float], ArrayLike], *, potential: Callable[[Spheres, float], ArrayLike] | None = None
+) -> Force: ...
+@overload
+def acceleration(
+    function: None = None, *, potential: Callable[[Spheres, float], ArrayLike] | None = None
+) -> Callable[[Callable[[Spheres, float], ArrayLike]], Force]: ...
 def acceleration(
     function: Callable[[Spheres, float], ArrayLike] | None = None,
     *,
