@@ -14,8 +14,9 @@ import kotlin.math.sqrt
  * to 0 otherwise; S is Σ √(x_a x_b) S_ab over all ordered pairs. Particles in no group count nowhere.
  *
  * NaN in a bin without a wave vector, and without particles. Time goes with particles times wave vectors: where these
- * are more than 6 · 10⁶, each bin has as many vectors, spread over its directions, at least one. Another choice of
- * vectors is another sample of the same mean, so this costs precision only, and not where vectors are few, at small k.
+ * are more than 6 · 10⁶, each bin has as many vectors, spread over its directions: some 30 at least up to 10⁵ particles,
+ * fewer of more, and the same ones in every state. In a fluid another choice is another sample of the same mean. In a
+ * crystal S is that of a few vectors, which may be among those left out: then the bins of its peaks are wrong.
  *
  * @param largest largest |k|, in 1/length
  */
@@ -48,7 +49,7 @@ public class SpatialStructureFactor @JvmOverloads constructor(
             if (g >= 0) members[g] += i
         }
         val particles = members.sumOf { it.size }
-        val most = (MOST_WORK / (maxOf(1, particles).toLong() * bins)).toInt().coerceAtLeast(1)
+        val most = WaveVectors.most(MOST_WORK, particles, bins)
         val vectors = WaveVectors(state.boundary, state.time, largest, bins, most)
         val sums = WaveSums(state, vectors).let { w -> members.map { w.over(it.toIntArray(), listOf(null))[0] } }
         val result = DoubleArray(bins * (if (n == 1) 1 else 1 + n * (n + 1) / 2))

@@ -34,7 +34,7 @@ public class VelocitySpectra(public val largest: Double, public val bins: Int) :
         val momenta = momenta(state, particles)
         val unit = particles.sumOf { i -> momenta.sumOf { it[i] * it[i] } } / d
         if (particles.size < 2 || !(unit > 0)) return result
-        val most = (MOST_WORK / (particles.size.toLong() * bins)).toInt().coerceAtLeast(1)
+        val most = WaveVectors.most(MOST_WORK, particles.size, bins)
         val vectors = WaveVectors(state.boundary, state.time, largest, bins, most)
         val sums = WaveSums(state, vectors).over(particles, listOf(null) + momenta)
         val count = IntArray(bins)

@@ -99,7 +99,23 @@ internal class WaveVectors(
         return unit[axis] * (at - lean * p.position(shear.normalAxis)[index])
     }
 
-    private companion object {
+    internal companion object {
+        /** As many vectors of a shell are taken in any case, as long as this is less than [MOST_AT_LEAST]. */
+        private const val LEAST = 30L
+
+        /** Products of particles and vectors, a second's work. */
+        private const val MOST_AT_LEAST = 200_000_000L
+
+        /** Vectors of each of [shells] for about [work] products with [particles]. */
+        fun most(work: Long, particles: Int, shells: Int): Int {
+            val cost = maxOf(1, particles).toLong() * shells
+            return maxOf(
+                work / cost,
+                minOf(LEAST, MOST_AT_LEAST / cost),
+                1L,
+            ).coerceAtMost(Int.MAX_VALUE.toLong()).toInt()
+        }
+
         const val AXES = 3
     }
 }

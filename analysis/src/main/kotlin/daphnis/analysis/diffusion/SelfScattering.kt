@@ -15,7 +15,7 @@ import kotlin.math.pow
  * more than [most] particles every n-th is taken. Errors are from blocks of time as long as the lag, of all particles
  * together. NaN where the time is shorter than five lags.
  *
- * The α₂ of N independent particles and one origin is 2(1 + 2/d)/N too small; of many origins less.
+ * The α₂ of N independent particles and one origin in d dimensions is 2/(dN) too small; of many origins less.
  *
  * @throws IllegalArgumentException for fewer than [MeanSquareDisplacement.FEWEST_TIMES] times or 2 particles
  */

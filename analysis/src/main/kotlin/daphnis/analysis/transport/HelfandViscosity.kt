@@ -50,11 +50,12 @@ public class HelfandViscosity private constructor(public val average: BlockAvera
             return if (average.mean.isFinite()) HelfandViscosity(average, 2 * half * walk.step) else null
         }
 
-        /** G of the five shears by row. */
+        /** G of the five shears by row: what momentum particles carry, without what corrects a temperature of few. */
         private fun shears(table: TransportTable, walk: HelfandWalk): List<DoubleArray> {
             val mass = table[MASS]
             val all = COMPONENTS.map { component ->
-                val moment = table[TransportColumns.moment(component)]
+                val carried = TransportColumns.kinetic(component).takeIf { it in table }
+                val moment = table[carried ?: TransportColumns.moment(component)]
                 walk.integral(TransportColumns.virial(component), DoubleArray(walk.rows) { mass[it] * moment[it] })
             }
             val (xx, yy, zz) = all

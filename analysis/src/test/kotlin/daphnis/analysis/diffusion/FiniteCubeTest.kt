@@ -17,7 +17,8 @@ import kotlin.math.cbrt
 class FiniteCubeTest {
     @Test
     fun `the correction is that worked out by hand`() {
-        assertEquals(2.837297 * 3 / (6 * PI * 0.5 * 10), FiniteCube.correction(3.0, 0.5, 10.0), 1e-12)
+        assertEquals(2.837297 * 3 / (6 * PI * 0.5 * 10), FiniteCube.correction(3.0, 0.5, 0.0, 7.0, 10.0), 1e-12)
+        assertEquals(2.837297 * 3 / (6 * PI * 0.9 * 10), FiniteCube.correction(3.0, 0.5, 0.2, 2.0, 10.0), 1e-12)
     }
 
     /** Mean square displacements at φ = 0.3 and T = 1 of [count] spheres. */
@@ -58,7 +59,7 @@ class FiniteCubeTest {
         val small = measured(108, 10)
         val large = measured(500, 3)
         fun infinite(d: Double, count: Int) =
-            d + FiniteCube.correction(1.0, EnskogGas.viscosity(1.0, 1.0, 0.3, 1.0), edge(count))
+            d + FiniteCube.correction(1.0, EnskogGas.viscosity(1.0, 1.0, 0.3, 1.0), 1.8 / PI, d, edge(count))
         val said = "D of 108 is $small, of 500 $large; D∞ ${infinite(small, 108)} and ${infinite(large, 500)}"
         assertTrue(small < 0.95 * large) { said }
         assertEquals(1.0, infinite(small, 108) / infinite(large, 500), 0.03) { said }

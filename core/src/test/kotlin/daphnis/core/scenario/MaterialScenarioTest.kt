@@ -215,7 +215,8 @@ class MaterialScenarioTest {
         val wrong = listOf(
             "$materials[0].share=0.3" to "$materials: have shares that add up to 1.05; they must add up to 1",
             "$materials[0].share=0" to "$materials[0].share: is 0.0; must be in (0, 1]",
-            "$materials[0].name=" to "$materials[0].name: is ''; it must be a word of at most 64 letters, digits, _ and -",
+            "$materials[0].name=" to
+                "$materials[0].name: is ''; it must be a word of at most 64 letters, digits, _ and -",
             "$materials[1].name=ice" to "$materials[1].name: is 'ice', which another material is called",
             "$materials[1].count=5" to "$materials[0]: needs a share or a count",
             "$materials=[]" to "$materials: is empty; name one or leave it out",

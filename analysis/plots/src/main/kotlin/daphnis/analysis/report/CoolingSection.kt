@@ -88,13 +88,12 @@ internal class CoolingSection(private val study: Study) : Section {
 
     /** Of equal spheres or discs that meet nothing else. */
     private fun critical(): Double? {
-        val restitution = study.physics?.restitutionAtRest ?: return null
-        val isEqual = ElasticGas.areEqual(last.population.radius) && ElasticGas.areEqual(last.population.mass)
+        val restitution = study.physics?.takeIf { References.isPlain(it, last) }?.restitutionAtRest ?: return null
         val isFree = (0 until last.dimensions).all { last.boundary.repeats(it) }
         val isKnown = restitution >= ShearInstability.LEAST_RESTITUTION &&
             restitution < 1 &&
             study.bulk.fillingFactor <= ShearInstability.MOST_FILLED
-        if (!isEqual || !isFree || !isKnown) return null
+        if (!isFree || !isKnown) return null
         return 2 * study.bulk.meanRadius *
             ShearInstability.criticalLength(restitution, study.bulk.fillingFactor, last.boundary.space)
     }

@@ -99,8 +99,11 @@ internal class DiffusionSection(private val study: Study) : Section {
         val mass = study.last.population.mass[0]
         val thermal = mass * study.motion.temperature.mean
         val viscosity = EnskogGas.viscosity(diameter, mass, study.bulk.fillingFactor, thermal)
-        val more = FiniteCube.correction(thermal, viscosity, study.last.boundary.box.length(0))
-        val note = "D + 2.837297 kT/(6π η L), Yeh & Hummer 2004; η is Enskog's, ${ReportText.short(viscosity)}"
+        val edge = study.last.boundary.box.length(0)
+        val density = study.last.population.size * mass / (edge * edge * edge)
+        val more = FiniteCube.correction(thermal, viscosity, density, mean.value, edge)
+        val note = "D + 2.837297 kT/(6π (η + ρD) L), after Yeh & Hummer 2004; η is Enskog's, " +
+            ReportText.short(viscosity)
         val d = Diffusion(mean.value + more, mean.error, mean.from, mean.to)
         return row("self_diffusion_infinite_box", "self-diffusion D∞ of an infinite box", d, units.viscosity, 1.0, note)
     }

@@ -18,7 +18,7 @@ import daphnis.analysis.table.Table
  */
 internal class OrderSection(private val study: Study) : Section {
     private val isPlane = study.last.boundary.space.isPlane
-    private val every = maxOf(1L, study.bulk.particles.toLong() * study.averaged.size / MOST_WORK)
+    private val every = maxOf(1L, (study.bulk.particles.toLong() * study.averaged.size + MOST_WORK - 1) / MOST_WORK)
     private var seen = 0L
     private val averages = Averages(Measure { if (isPlane) ofDiscs(it) else ofSpheres(it) })
 
@@ -27,7 +27,9 @@ internal class OrderSection(private val study: Study) : Section {
         "(van Meel & al. 2012). ${study.overAverages}"
     override val applies = !study.isRing &&
         (0 until study.last.dimensions).all { axis -> study.last.boundary.hasImages(axis) } &&
-        study.bulk.fillingFactor >= (if (isPlane) LEAST_OF_DISCS else LEAST_OF_SPHERES)
+        study.bulk.fillingFactor >= (if (isPlane) LEAST_OF_DISCS else LEAST_OF_SPHERES) &&
+        // Neighbours are sought as far as those of the largest may be: too many of small ones.
+        study.bulk.largestRadius <= MOST_UNEQUAL * study.bulk.meanRadius
     override val leftOut get() = study.tooFew(FEWEST)
 
     override fun add(state: State) {
@@ -114,6 +116,9 @@ internal class OrderSection(private val study: Study) : Section {
 
     private companion object {
         const val MOST_WORK = 400_000L
+
+        /** Largest radius over the mean. */
+        const val MOST_UNEQUAL = 3.0
         const val LEAST_OF_SPHERES = 0.45
         const val LEAST_OF_DISCS = 0.6
         const val FEWEST = 30

@@ -5,6 +5,8 @@ import daphnis.analysis.correlation.StructureFactor
 import daphnis.analysis.insitu.Averages
 import daphnis.analysis.insitu.State
 import daphnis.analysis.plot.Curve
+import daphnis.analysis.theory.HardDiscs
+import daphnis.analysis.theory.HardSpheres
 import daphnis.analysis.theory.PercusYevick
 
 /** The structure factor: of waves in space in a box that repeats along all axes, else of waves in the plane. */
@@ -43,7 +45,9 @@ internal class StructureFactorPart(private val study: Study, private val groups:
         val mark = if (critical == null) "" else " The upright line is Toomre's critical wavelength."
         val theory = theory()
         val known = if (theory == null) "" else " $BESIDE"
-        curve.write(study, page, x, averages, caption + mark + known, critical, theory)
+        val freezing = if (study.last.dimensions == 2) HardDiscs.FREEZING else HardSpheres.FREEZING
+        val crystal = if (isSpatial && study.bulk.fillingFactor >= freezing) " $CRYSTAL" else ""
+        curve.write(study, page, x, averages, caption + mark + known + crystal, critical, theory)
         val s = spatial ?: return
         groups?.write(study, page, "structure-factor", x, averages, "S", "wave number |k|" to unit, "k", PARTIAL) {
                 a,
@@ -73,6 +77,7 @@ internal class StructureFactorPart(private val study: Study, private val groups:
         const val PEAKS = 2 * Math.PI
         const val MOST_LISTED = 2e6
         const val BESIDE = "Percus & Yevick's S(k), with the diameter of Verlet & Weis 1972, stands beside it."
+        const val CRYSTAL = "Of many particles some wave vectors are taken, so peaks of a crystal may be missing."
         const val PARTIAL = "Partial structure factors S_ab(k) of Ashcroft & Langreth."
     }
 }
