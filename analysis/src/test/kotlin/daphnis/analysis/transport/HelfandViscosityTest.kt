@@ -85,6 +85,31 @@ class HelfandViscosityTest {
     }
 
     @Test
+    fun `what momentum particles carry counts, not what is corrected for a temperature of few`() {
+        val table = made(400, SeededRandom(7), jumps = 0.0, carried = 3.0)
+        val path = directory.resolve("transport.csv")
+        val lines = Files.readAllLines(path)
+        val components = listOf("xx", "yy", "zz", "xy", "xz", "yz")
+        val twice = lines.mapIndexed { k, line ->
+            val more = if (k ==
+                0
+            ) {
+                components.map { "kinetic_$it" }
+            } else {
+                line.split(",").subList(4, 10).map { 2 * it.toDouble() }
+            }
+            "$line,${more.joinToString(",")}"
+        }
+        Files.write(path, twice)
+        val plain = HelfandViscosity.of(table, VOLUME, 0.1)!!.average.mean
+        assertEquals(
+            4 * plain,
+            HelfandViscosity.of(TransportTable.read(path), VOLUME, 0.1)!!.average.mean,
+            1e-9 * plain,
+        )
+    }
+
+    @Test
     fun `the lag is ten mean free times, or two diameters at thermal speed`() {
         val table = made(400, SeededRandom(1))
         assertEquals(3.4, HelfandViscosity.of(table, VOLUME, 0.1)!!.lag, 1e-9)
