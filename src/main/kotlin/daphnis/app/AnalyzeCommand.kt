@@ -51,11 +51,11 @@ class AnalyzeCommand : CliktCommand(name = "analyze") {
     private val slabs by option(
         "--slabs",
         help = "slabs of azimuth for streamlines (default: by the number of particles)",
-    ).int().default(0)
+    ).int()
     private val groups by option(
         "--groups",
         help = "groups of equal count in a slab (default: by the number of particles)",
-    ).int().default(0)
+    ).int()
     private val elevation by option(
         "--elevation",
         help = "elevation of the rays of the occultation above the x-y plane, degrees in 0.1..90 (default 28)",
@@ -96,7 +96,7 @@ class AnalyzeCommand : CliktCommand(name = "analyze") {
         val directory =
             out?.let { pathOf(it, "--out") }
                 ?: if (Files.isRegularFile(path)) path.resolveSibling("${path.fileName}-analysis") else path
-        val analysis = Analysis(input, AnalysisOptions(from, slabs, groups, elevation, frames, azimuth, light))
+        val analysis = Analysis(input, AnalysisOptions(from, slabs ?: 0, groups ?: 0, elevation, frames, azimuth, light))
         val progress = if (quiet) AnalysisProgress { _, _, _ -> } else ShownProgress()
         LastWords { "analyze was interrupted; nothing was written to $directory" }.use {
             writingLater(directory) { analysis.write(directory, progress) }
@@ -108,8 +108,9 @@ class AnalyzeCommand : CliktCommand(name = "analyze") {
     private fun checkOptions() {
         fun wrong(option: String, value: Any, right: String): Nothing =
             throw InputException(option, null, "is $value; it must be $right")
-        if (slabs < 0 || slabs > MOST) wrong("--slabs", slabs, "in 1..$MOST")
-        if (groups < 0 || groups > MOST) wrong("--groups", groups, "in 1..$MOST")
+        for ((option, value) in listOf("--slabs" to slabs, "--groups" to groups)) {
+            if (value != null && value !in 1..MOST) wrong(option, value, "in 1..$MOST")
+        }
         if (!(elevation >= LineOfSight.LOWEST && elevation <= 90)) {
             wrong("--elevation", elevation, "in ${LineOfSight.LOWEST}..90 degrees")
         }

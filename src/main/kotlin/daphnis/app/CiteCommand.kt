@@ -29,7 +29,7 @@ class CiteCommand : CliktCommand(name = "cite") {
         val recorded = Run.open(pathOf(run, "run"))
         val scenario = RunCitation.scenarioOf(recorded)
         val summary = RunCitation.finished(recorded)
-        record?.let { pathOf(it, "--record") }?.let { path ->
+        record?.let { newFileOf(it, "--record") }?.let { path ->
             if (Files.exists(path, LinkOption.NOFOLLOW_LINKS)) {
                 throw InputException("--record", null, "$path is there already; give another name, or remove it")
             }

@@ -54,7 +54,7 @@ class MovieCommand : CliktCommand(name = "movie") {
     override fun help(context: Context) = "Write the snapshots of a run as an animated GIF, MP4 or WebM."
 
     override fun run() {
-        val target = out?.let { pathOf(it, "--out") }
+        val target = out?.let { newFileOf(it, "--out") }
         checkOptions(target)
         val path = pathOf(directory, "dir")
         // What was changed beside the states does not show, but for the units; a notice says it.

@@ -2,6 +2,7 @@ package daphnis.app
 
 import daphnis.core.scenario.InputException
 import daphnis.core.scenario.inputPath
+import java.nio.file.Files
 import java.nio.file.Path
 
 /**
@@ -13,4 +14,10 @@ import java.nio.file.Path
 internal fun pathOf(word: String, what: String): Path {
     if (word.isEmpty()) throw InputException(what, null, "is empty; a name is needed")
     return inputPath(word, what)
+}
+
+/** The same of a file to write, whose directory must be there: a path with a slip in it would else make folders. */
+internal fun newFileOf(word: String, what: String): Path = pathOf(word, what).also {
+    val directory = it.toAbsolutePath().parent
+    if (!Files.isDirectory(directory)) throw InputException(what, null, "is $word; there is no directory $directory")
 }

@@ -12,9 +12,14 @@ import daphnis.core.scenario.PlacementSpec
 import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.ScenarioJson
 import kotlinx.serialization.Serializable
+import kotlinx.serialization.SerializationException
 import kotlinx.serialization.json.Json
+import kotlinx.serialization.json.JsonElement
 import kotlinx.serialization.json.JsonObject
+import kotlinx.serialization.json.JsonPrimitive
+import kotlinx.serialization.json.doubleOrNull
 import kotlinx.serialization.json.jsonObject
+import kotlinx.serialization.json.longOrNull
 import java.io.IOException
 import java.nio.charset.CharacterCodingException
 import java.nio.file.Path
@@ -46,6 +51,15 @@ internal data class RunCitation(
         private const val LARGEST = 16 shl 20
         private val JSON = Json { prettyPrint = true }
         private val DIGEST = Regex("[0-9a-f]{64}")
+        private const val NOT_ONE = "is not what `daphnis cite --record` writes"
+
+        private val JsonElement.text: String? get() = (this as? JsonPrimitive)?.takeIf { it.isString }?.content
+
+        /** What [take] makes of the value at [key], which must be [what] it says. */
+        private fun <T : Any> JsonElement.must(key: String, what: String, take: (JsonElement) -> T?): T {
+            val value = (this as? JsonObject)?.get(key)
+            return requireNotNull(value?.let(take)) { "its $key is ${if (value == null) "missing" else "not $what"}" }
+        }
 
         /**
          * That of a finished [run].
@@ -80,16 +94,23 @@ internal data class RunCitation(
 
         /** @throws FormatException when [path] cannot be read or is none */
         fun read(path: Path): RunCitation = try {
-            val citation = JSON.decodeFromString(serializer(), PackedFile.text(path, LARGEST))
-            require(DIGEST.matches(citation.stateDigest)) { "stateDigest is no digest of 64 hexadecimal digits" }
-            citation
+            val tree = JSON.parseToJsonElement(PackedFile.text(path, LARGEST))
+            val digest = tree.must("stateDigest", "a digest of 64 hexadecimal digits") { it.text?.takeIf(DIGEST::matches) }
+            RunCitation(
+                tree.must("daphnis", "a version of daphnis in quotes") { it.text },
+                tree.must("scenario", "a scenario, an object") { it as? JsonObject },
+                tree.must("steps", "a whole number") { (it as? JsonPrimitive)?.longOrNull },
+                tree.must("time", "a number") { (it as? JsonPrimitive)?.doubleOrNull },
+                digest,
+            )
+        } catch (e: SerializationException) {
+            throw FormatException("$path: $NOT_ONE: it is not JSON, or ends too early")
         } catch (e: CharacterCodingException) {
             throw FormatException("$path: is not UTF-8 text")
         } catch (e: IOException) {
             throw FormatException("$path: cannot be read: ${reasonOf(e, path)}")
         } catch (e: IllegalArgumentException) {
-            val why = e.message.orEmpty().lineSequence().first()
-            throw FormatException("$path: is not what `daphnis cite --record` writes: $why")
+            throw FormatException("$path: $NOT_ONE: ${e.message}")
         } catch (e: StackOverflowError) {
             throw FormatException("$path: is nested too deeply")
         }

@@ -50,6 +50,12 @@ internal class SweepPlan(val keys: List<SweptKey>, val seeds: List<Long>?) {
         private const val MOST = 10_000
         private const val SEED = "seed"
 
+        /** Keys that say something to readers alone. */
+        private val WORDS = setOf("name", "description")
+
+        /** What looks like a range of numbers. */
+        private val RANGE = Regex("""[-+.eE\d]+\.\.[-+.eE\d]+""")
+
         /**
          * @param settings `path=values` as given, see [ValueList]
          * @param seeds as given, see [Seeds]; null when they are not
@@ -62,7 +68,10 @@ internal class SweepPlan(val keys: List<SweptKey>, val seeds: List<Long>?) {
             }
             val plan = SweepPlan(keys, seeds?.let { parsed("--seeds", null) { Seeds.parse(it) } })
             if (plan.runs.size == 1 && seeds == null) {
-                throw InputException("--set", null, "has no list of values, and there are no --seeds: nothing to sweep")
+                val range = keys.find { RANGE.matches(it.values[0]) }
+                val hint = range?.let { "; ${it.values[0]} is one value, so name each: ${it.path}=1,2,4" }.orEmpty()
+                val why = "has no list of values, and there are no --seeds: nothing to sweep$hint"
+                throw InputException("--set", range?.path, why)
             }
             return plan
         }
@@ -73,7 +82,11 @@ internal class SweepPlan(val keys: List<SweptKey>, val seeds: List<Long>?) {
                 throw InputException("--set", setting, "must have the form path=value,value, such as timeStep.dt=1,2")
             }
             if (path == SEED) throw InputException("--set", path, "is given by --seeds in a sweep")
-            return SweptKey(path, parsed("--set", path) { ValueList.split(setting.substringAfter('=')) })
+            val values = parsed("--set", path) { ValueList.split(setting.substringAfter('=')) }
+            if (path in WORDS && values.size > 1) {
+                throw InputException("--set", path, "has ${values.size} values, whose runs would all be the same; give one")
+            }
+            return SweptKey(path, values)
         }
 
         private fun <T> parsed(option: String, key: String?, parse: () -> T): T = try {

@@ -4,6 +4,7 @@ import daphnis.core.boundary.Images
 import daphnis.core.collision.StepRows.Companion.MARKS
 import daphnis.core.collision.StepRows.Companion.STRIDE
 import daphnis.core.collision.StepRows.Companion.VX
+import daphnis.core.space.Space
 import daphnis.core.surface.ContactLaw
 import daphnis.core.surface.RoughContact
 import daphnis.core.surface.Roughness
@@ -21,7 +22,7 @@ import kotlin.math.sqrt
  *
  * @param law of both coefficients; a [Restitution] for smooth spheres
  * @param roughness β in place of that of [law]; null for the law's own. Spins of smooth spheres stay
- * @property momentFactor moment of inertia of spheres over mass · radius²
+ * @property momentFactor moment of inertia of spheres over mass · radius², see [Space.mostMomentFactor]
  * @param turning angular speed about z of the axes in which spins are given: Ω in Hill's frame, else 0
  * @param acceleration of all spheres along x, y, z, by forces that kick them before and after the drift: what walls
  *   need to know of the true paths
@@ -44,8 +45,15 @@ public class CollisionLaw @JvmOverloads constructor(
     internal val isRough: Boolean = restitution == null && contactLaw.isRough
 
     init {
-        require(momentFactor > 0 && momentFactor <= HOLLOW) {
-            "the moment of inertia is $momentFactor m r²; the factor must be > 0 and at most 2/3, that of a hollow sphere"
+        require(momentFactor > 0 && momentFactor <= Space.PLANE.mostMomentFactor) {
+            "the moment of inertia is $momentFactor m r²; the factor must be > 0 and ${Space.PLANE.mostMomentInWords}"
+        }
+    }
+
+    /** @throws IllegalArgumentException when no particle of [space] has such a moment of inertia */
+    internal fun requireIn(space: Space) {
+        require(momentFactor <= space.mostMomentFactor) {
+            "the moment of inertia is $momentFactor m r²; the factor must be ${space.mostMomentInWords}"
         }
     }
 
@@ -263,9 +271,6 @@ public class CollisionLaw @JvmOverloads constructor(
 }
 
 private val STILL = listOf(0.0, 0.0, 0.0)
-
-/** [CollisionLaw.momentFactor] of a sphere whose mass is all in its surface. */
-private const val HOLLOW = 2.0 / 3.0
 
 /** Of a velocity and of what is computed from it, relative to it. */
 private const val VELOCITY_ROUNDING = 1e-15

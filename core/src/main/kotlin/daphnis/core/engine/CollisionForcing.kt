@@ -75,7 +75,8 @@ public class CollisionForcing @JvmOverloads constructor(
      * Moves [population] from [start] over [duration]; applying boundaries at the end is the caller's task. See
      * [CollisionEngine.advance].
      *
-     * @throws IllegalArgumentException also when spheres or walls are rough and the population has no spins
+     * @throws IllegalArgumentException also when spheres or walls are rough and the population has no spins, or when
+     *   the moment of inertia is more than that of a hollow sphere or, in the plane, of a ring
      */
     public fun advance(population: Population, boundary: BoundaryConditions, start: Double, duration: Double) {
         val step = step.takeIf { it != null && it.population === population && it.boundary === boundary }
@@ -96,6 +97,7 @@ public class CollisionForcing @JvmOverloads constructor(
         require(!isRough || population.hasSpin) {
             "spheres or walls are rough, and the population has no angular velocities; give them, such as 0 for all"
         }
+        collisionLaw.requireIn(boundary.space)
         return CollisionStep(population, boundary, collisionLaw, counters, search)
     }
 

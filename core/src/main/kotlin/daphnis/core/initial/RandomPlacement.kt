@@ -115,10 +115,14 @@ public class RandomPlacement internal constructor(
     private fun refuse(what: String, space: Space): Nothing {
         val reached = "random placement reaches a filling factor of about ${Crowding.reached(space)}"
         // Lattices are of whole boxes.
-        val wayOut = if (surfaces.isEmpty()) {
+        val around = listOfNotNull(
+            "between the walls".takeIf { surfaces.isNotEmpty() },
+            "around bodies".takeIf { obstacles.isNotEmpty() },
+        )
+        val wayOut = if (around.isEmpty()) {
             "$reached, use a lattice above that"
         } else {
-            "the room between the walls has no place for more; $reached, take fewer or smaller ones"
+            "the room ${around.joinToString(" and ")} has no place for more; $reached, take fewer or smaller ones"
         }
         throw PlacementException("$what; $wayOut")
     }

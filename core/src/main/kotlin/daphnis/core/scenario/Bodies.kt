@@ -1,5 +1,7 @@
 package daphnis.core.scenario
 
+import daphnis.core.boundary.BoundaryConditions
+import daphnis.core.boundary.ContactFaces
 import daphnis.core.initial.Obstacle
 import daphnis.core.population.MeanFlow
 import daphnis.core.space.Space
@@ -9,7 +11,7 @@ internal class Bodies(
     private val specs: List<BodySpec>,
     private val particles: ParticlesSpec,
     private val space: Space,
-    check: ValueCheck,
+    private val check: ValueCheck,
 ) {
     init {
         specs.forEachIndexed { k, body ->
@@ -26,6 +28,24 @@ internal class Bodies(
             body.density?.let { check.positive("$key.density", it) }
             check.must("$key.density", body.mass != null || density(body) != null) {
                 "is missing; particles have materials, none of which says what this body weighs (or give mass)"
+            }
+            if (body.mass == null) {
+                val density = density(body)!!
+                check.mass("$key.density", density, body.radius, mass(density, body.radius))
+            }
+        }
+    }
+
+    /** Refuses those that have no room within [boundary]; along an open axis they may stick out of the box. */
+    fun checkRoom(boundary: BoundaryConditions) {
+        for (axis in 0 until space.dimensions) {
+            val faces = boundary.contactFaces(axis)
+            if (faces != ContactFaces.PERIODIC && faces != ContactFaces.WALL) continue
+            val length = boundary.box.length(axis)
+            specs.forEachIndexed { k, body ->
+                check.that("bodies[$k].radius", body.radius, 2 * body.radius < length) {
+                    "must be less than half of the edge of the box along ${"xyz"[axis]}, $length"
+                }
             }
         }
     }

@@ -198,6 +198,7 @@ internal class FileState(
             // Of spheres in the order of products that is in the bits of runs.
             snapshot.mass[k] =
                 if (space.isPlane) density * space.volume(r) else density * 4.0 / 3.0 * Math.PI * r * r * r
+            check.mass("placement.density", density, r, snapshot.mass[k])
         }
         return snapshot
     }

@@ -31,11 +31,7 @@ internal class InitialSpins(
         }
         val factor = momentFactor
         check.that("roughness.momentFactor", factor, factor > 0 && factor <= scenario.space.mostMomentFactor) {
-            if (scenario.space.isPlane) {
-                "must be > 0 and at most 1, that of a ring"
-            } else {
-                "must be > 0 and at most 2/3, that of a hollow sphere"
-            }
+            "must be > 0 and ${scenario.space.mostMomentInWords}"
         }
     }
 

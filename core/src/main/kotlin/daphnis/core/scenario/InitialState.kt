@@ -59,7 +59,7 @@ internal class InitialState(
         val areProportions = (placement as? PlacementSpec.Grown)?.pressure != null
         val drawn = DrawnRadii(spec, kinds, box, check, areProportions, boundary.roomIn(box)) { stream(SIZES) }.draw()
         var radii = drawn.radii
-        val bodies = Bodies(scenario.bodies, spec, box.space, check)
+        val bodies = Bodies(scenario.bodies, spec, box.space, check).apply { checkRoom(boundary) }
         val positions = try {
             check.must("placement", boundary.surfaces.isEmpty() || placement is PlacementSpec.Random) {
                 "must be random, or a file, in a room with boundary.surfaces"

@@ -130,7 +130,8 @@ public object ScenarioJson {
         }
         val message = e.message.orEmpty()
         val offset = Regex("""offset (-?\d+)""").find(message)?.groupValues?.get(1)?.toInt()?.coerceIn(0, text.length)
-        val problem = message.substringAfter(": ").lineSequence().first().substringBefore(" at path").trim()
+        val said = message.substringAfter(": ").lineSequence().first().substringBefore(" at path").trim()
+        val problem = OF_THE_LIBRARY.entries.fold(said) { text, (its, ours) -> text.replace(its, ours) }
         if (offset == null) return InputException(source, null, "malformed JSON: $problem")
         return InputException("$source:${place(text, offset)}", null, "malformed JSON: $problem")
     }
@@ -143,4 +144,11 @@ public object ScenarioJson {
     }
 
     private const val LARGEST = 64L shl 20
+
+    /** What the library says of the end of the text, and what a reader understands. */
+    private val OF_THE_LIBRARY = mapOf(
+        "Cannot read Json element because of unexpected end of the input" to "the text ends too early",
+        "but had 'EOF' instead" to "but the text ends",
+        "Expected EOF after parsing" to "Expected the end of the text",
+    )
 }

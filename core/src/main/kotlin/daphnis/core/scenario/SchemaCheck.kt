@@ -28,7 +28,7 @@ internal class SchemaCheck(private val source: String) {
             fail(path, "is null; ${expected(descriptor)}")
         }
         when (descriptor.kind) {
-            StructureKind.CLASS, StructureKind.OBJECT -> checkObject(element, descriptor, path, null)
+            StructureKind.CLASS, StructureKind.OBJECT -> checkObject(element, descriptor, path)
             StructureKind.LIST -> {
                 if (element !is JsonArray) fail(path, "is ${shown(element)}; ${expected(descriptor)}")
                 element.forEachIndexed { k, e -> check(e, descriptor.getElementDescriptor(0), "$path[$k]") }
@@ -44,14 +44,20 @@ internal class SchemaCheck(private val source: String) {
         }
     }
 
-    /** [type] is that which the object says it is of; null where there is only one kind. */
-    private fun checkObject(element: JsonElement, descriptor: SerialDescriptor, path: String, type: String?) {
+    /** [type] is that of [types] which the object says it is of; null where there is only one kind. */
+    private fun checkObject(
+        element: JsonElement,
+        descriptor: SerialDescriptor,
+        path: String,
+        type: String? = null,
+        types: SerialDescriptor? = null,
+    ) {
         if (element !is JsonObject) fail(path, "is ${shown(element)}; ${expected(descriptor)}")
         val known = descriptor.names()
         for (key in element.keys) {
             if (key !in known && (type == null || key != "type")) {
                 val which = if (type == null) "unknown key" else "unknown key for type $type"
-                fail(join(path, brief(key)), "$which; ${choices(key, known)}")
+                fail(join(path, brief(key)), "$which; ${elsewhere(key, types, path) ?: choices(key, known)}")
             }
         }
         for (k in 0 until descriptor.elementsCount) {
@@ -73,7 +79,14 @@ internal class SchemaCheck(private val source: String) {
         if (name == null || name !in types.names()) {
             fail(join(path, "type"), "is ${shown(type)}; ${choices(name.orEmpty(), types.names())}")
         }
-        checkObject(element, types.getElementDescriptor(types.getElementIndex(name)), path, name)
+        checkObject(element, types.getElementDescriptor(types.getElementIndex(name)), path, name, types)
+    }
+
+    /** Which others of [types] have [key]; null when none has. */
+    private fun elsewhere(key: String, types: SerialDescriptor?, path: String): String? {
+        val having = types?.names().orEmpty().filter { key in types!!.getElementDescriptor(types.getElementIndex(it)).names() }
+        if (having.isEmpty()) return null
+        return "it is a key of type ${having.joinToString(" or ")}, so give $path.type=${having[0]} too"
     }
 
     /** What [element] lacks is its type, which its keys may tell. */

@@ -67,9 +67,7 @@ internal class SphereKind private constructor(
     /** The mass of a sphere of [radius]. */
     fun mass(radius: Double): Double {
         val mass = weight(radius)
-        check.that("$key.density", density, mass > 0 && mass.isFinite()) {
-            "gives a sphere of radius $radius the mass $mass"
-        }
+        check.mass("$key.density", density, radius, mass)
         return mass
     }
 

@@ -95,6 +95,7 @@ internal class StartCheck(
     private fun checkSurfaces() {
         for ((n, surface) in boundary.surfaces.withIndex()) {
             val key = "${WallSurfaceSpec.KEY}[$n]"
+            walls.checkDigits(key, surface)
             for (k in 0 until population.size) {
                 val p = population
                 val free = surface.distance(p.x[k], p.y[k], p.z[k], scenario.startTime)

@@ -18,10 +18,16 @@ internal class ValueCheck(val source: String) {
         that(key, value, value > 0 && value.isFinite()) { "must be > 0" }
     }
 
-    /** A mass: one so small that it has few digits left gives sums of masses none. */
+    /** A mass: of one so small that it has few digits left, or so large, sums of masses and energies have none. */
     fun mass(key: String, value: Double) {
-        positive(key, value)
-        that(key, value, value >= LEAST_MASS) { "must be at least $LEAST_MASS" }
+        that(key, value, value in MASSES) { "must be > 0, ${MASSES.start} to ${MASSES.endInclusive}" }
+    }
+
+    /** The same of the [mass] that a sphere of [radius] has by the [density] at [key]. */
+    fun mass(key: String, density: Double, radius: Double, mass: Double) {
+        that(key, density, mass in MASSES) {
+            "gives a sphere of radius $radius the mass $mass, which must be ${MASSES.start} to ${MASSES.endInclusive}"
+        }
     }
 
     /** A length or a radius. */
@@ -49,6 +55,6 @@ internal class ValueCheck(val source: String) {
 
     private companion object {
         const val MOST_SHOWN = 100
-        const val LEAST_MASS = 1e-290
+        val MASSES = 1e-290..1e290
     }
 }

@@ -2,6 +2,7 @@ package daphnis.core.scenario
 
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.WallMotion
+import daphnis.core.boundary.WallSurface
 import daphnis.core.boundary.leastRoom
 import daphnis.core.boundary.pistons
 import daphnis.core.boundary.planesApart
@@ -34,6 +35,17 @@ internal class WallCheck(
     fun checkSurfaceMotions(duration: Double) {
         for ((n, surface) in boundary.surfaces.withIndex()) {
             surface.face.motion?.let { checkCycles(it, duration, "${WallSurfaceSpec.KEY}[$n]") }
+        }
+    }
+
+    /** The distance of a sphere from [surface] at [key] is a small difference of large numbers where that is far. */
+    fun checkDigits(key: String, surface: WallSurface) {
+        val radius = if (surface.radius.isFinite()) surface.radius else 0.0
+        val farthest = maxOf(radius, surface.origin.maxOf { abs(it) })
+        val least = population.radius.minOrNull() ?: return
+        check.must(key, Math.ulp(farthest) <= StartCheck.TOLERANCE * least) {
+            "a $surface, has lengths of $farthest, to which distances are known to ${Math.ulp(farthest)} only; that must " +
+                "be at most ${StartCheck.TOLERANCE} of the smallest radius, $least; take nearer points, or a plane"
         }
     }
 

@@ -36,6 +36,10 @@ public enum class Space(
     /** Whether particles are discs in the plane. */
     public val isPlane: Boolean get() = this == PLANE
 
+    /** The bound on the factor of a moment of inertia, for messages. */
+    internal val mostMomentInWords: String
+        get() = if (isPlane) "at most 1, that of a ring" else "at most 2/3, that of a hollow sphere"
+
     /** Volume of a sphere of [radius], in the plane the area of a disc. */
     public abstract fun volume(radius: Double): Double
 

@@ -230,7 +230,8 @@ class RoughImpactTest {
             { CoulombRoughness(Double.POSITIVE_INFINITY, 0.0) },
             { CoulombRoughness(0.1, 1.1) },
             { CollisionLaw(ConstantRestitution(1.0), momentFactor = 0.0) },
-            { CollisionLaw(ConstantRestitution(1.0), momentFactor = 0.67) },
+            { CollisionLaw(ConstantRestitution(1.0), momentFactor = 1.01) },
+            { CollisionForcing(ConstantRestitution(1.0), momentFactor = 0.67).advance(populationOf(), Open, 0.0, 1.0) },
             { Walls(Box.centred(8.0, 8.0, 8.0), roughness = List(5) { null }) },
         )
         for ((k, make) in none.withIndex()) assertThrows(IllegalArgumentException::class.java, { make() }, "number $k")

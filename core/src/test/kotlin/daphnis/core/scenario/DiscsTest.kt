@@ -150,6 +150,20 @@ class DiscsTest {
     }
 
     @Test
+    fun `discs whose mass is near their rims collide, and lose nothing where nothing slides for good`() {
+        for (factor in listOf(0.86, 1.0)) {
+            val setup = setup("""roughness={"type":"constant","coefficient":1,"momentFactor":$factor}""")
+            val p = run(setup, setup.boundary, 60)
+            val energy = (0 until p.size).sumOf {
+                val turning = factor * p.radius[it] * p.radius[it] * p.wz[it] * p.wz[it]
+                0.5 * p.mass[it] * (p.vx[it] * p.vx[it] + p.vy[it] * p.vy[it] + turning)
+            }
+            assertEquals((p.size - 1) * p.mass[0], energy, 1e-11 * energy)
+            assertTrue(p.wz.any { it != 0.0 })
+        }
+    }
+
+    @Test
     fun `a file of discs has no heights`(@TempDir directory: Path) {
         val text = """{
             "dimensions": 2, "box": { "lengths": [10, 10] }, "boundary": { "type": "periodic" },

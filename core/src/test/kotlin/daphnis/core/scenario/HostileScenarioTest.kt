@@ -57,6 +57,20 @@ class HostileScenarioTest {
     }
 
     @Test
+    fun `masses whose sums or energies a double does not hold are refused by the key they follow from`() {
+        val exact = "velocities.exact=true"
+        for (density in listOf("1e-320", "1e-300", "1e300")) {
+            assertWrong(listOf("particles.density=$density", exact), "particles.density: is", "the mass")
+            val body = """{"radius":1,"position":[0,0,0],"density":$density}"""
+            assertWrong(listOf("bodies=[$body]", exact), "bodies[0].density: is", "the mass")
+        }
+        for (mass in listOf("1e-300", "1e300")) {
+            assertWrong(listOf("particles.mass=$mass"), "particles.mass: is", "1.0E-290 to 1.0E290")
+        }
+        assertTrue(setup("particles.density=1e-280", exact).population.vx.all { it.isFinite() })
+    }
+
+    @Test
     fun `a body outside the box is refused by its own key`() {
         val second = """{"radius":0.1,"position":[0,1e9,0]}"""
         val e = assertThrows(InputException::class.java) {

@@ -131,6 +131,17 @@ class WallSurfaceSpecTest {
     }
 
     @Test
+    fun `a surface so far away that distances from it have no digits is refused`() {
+        fun cylinder(r: String) =
+            text("""{"type": "cylinder", "room": "outside", "axis": [0, 0, 1], "radius": $r, "point": [-$r, 0, 0]}""")
+        assertSays("boundary.surfaces[0]: a cylinder of radius 1.0E15", cylinder("1e15"))
+        assertSays("distances are known to", cylinder("1e7"))
+        setup(cylinder("1e6"))
+        assertSays("nearer points", text("""{"type": "plane", "point": [0, 1e8, 5], "normal": [0, 0, -1]}"""))
+        assertSays("boundary.surfaces[0]: a sphere", text("""{"type": "sphere", "radius": 1e7, "centre": [0, 0, 0]}"""))
+    }
+
+    @Test
     fun `the smallest normal is a direction`() {
         val down = """{"type": "plane", "point": [0, 0, 2], "normal": [0, 0, -1e-300], "belt": [1, 0, 0]}"""
         assertEquals(3.0, setup(text(down)).boundary.surfaces[0].distance(0.0, 0.0, -1.0))

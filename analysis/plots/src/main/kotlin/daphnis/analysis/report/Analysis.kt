@@ -27,10 +27,8 @@ public class Analysis @JvmOverloads constructor(
         val from = options.from ?: return
         val last = input.times.last()
         if (from <= last) return
-        val value = ReportText.plain(from, DIGITS)
-        val end = ReportText.plain(last, DIGITS)
-        val why = "the last state is at time $end, so it must be at most that, in the scenario's unit of time"
-        throw InputException("from", null, "is $value; $why", isArgument = true)
+        val why = "the last state is at time $last, so it must be at most that, in the scenario's unit of time"
+        throw InputException("from", null, "is $from; $why", isArgument = true)
     }
 
     /** Why the last [write] made no PNGs, as where this Java has no fonts; null when it did. */
@@ -132,6 +130,5 @@ public class Analysis @JvmOverloads constructor(
         /** The first 15 of 40 orbits. */
         const val UNSTEADY = 0.375
         const val PARTS = 2
-        const val DIGITS = 8
     }
 }
