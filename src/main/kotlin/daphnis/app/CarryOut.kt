@@ -14,6 +14,7 @@ import daphnis.app.printing.warn
 import daphnis.app.progress.PlacementLine
 import daphnis.app.progress.Progress
 import daphnis.app.progress.TimesInWords
+import daphnis.core.cluster.FleetException
 import daphnis.core.population.Population
 import daphnis.core.run.Run
 import daphnis.core.run.RunDirectory
@@ -31,9 +32,15 @@ import kotlin.concurrent.thread
  * Carries out what [start] makes, with progress, a plot and the closing lines; Ctrl-C ends it with a checkpoint.
  *
  * @param live where it can be looked at meanwhile
+ * @param endWaits makes a run fail that waits within a step for others than itself; any thread calls
  */
-internal fun CliktCommand.carryOut(quiet: Boolean, live: LivePage? = null, start: () -> Run) {
-    val interruption = Interruption()
+internal fun CliktCommand.carryOut(
+    quiet: Boolean,
+    live: LivePage? = null,
+    endWaits: () -> Unit = {},
+    start: () -> Run,
+) {
+    val interruption = Interruption(endWaits)
     preparePlot()
     try {
         PlacementLine.shown(quiet, start).use { run ->
@@ -51,14 +58,19 @@ internal fun CliktCommand.carryOut(quiet: Boolean, live: LivePage? = null, start
             interruption.armed = true
             val units = UnitsOfDimensions(run.scenario?.units)
             val progress = Progress(quiet, run.until, timesOf(run), named(units, Dimension.ENERGY))
-            val summary = run.execute(live?.watching(run, progress) ?: progress) { interruption.requested }
-            if (!summary.finished) {
-                val command = "${Version.command} resume ${quoted("$directory")}"
-                val words = "interrupted after step ${summary.steps}; continue with: $command"
+            fun interrupted(where: String): Nothing {
+                val words = "interrupted $where; continue with: ${Version.command} resume ${quoted("$directory")}"
                 live?.endsWith(words)
                 printLine(words)
                 throw ProgramResult(EXIT_INTERRUPTED)
             }
+            val summary = try {
+                run.execute(live?.watching(run, progress) ?: progress) { interruption.requested }
+            } catch (e: RunException) {
+                if (interruption.requested && e.cause is FleetException) interrupted("while it waited for nodes")
+                throw e
+            }
+            if (!summary.finished) interrupted("after step ${summary.steps}")
             live?.endsWith("complete after step ${summary.steps}, state digest ${summary.stateDigest}")
             if (run.hasSeries) run.scenario?.let { drawPlot(run.directory, it, run.simulation.population) }
             report(summary, timesOf(run), units)

@@ -5,12 +5,12 @@ import com.github.ajalt.clikt.core.Context
 import com.github.ajalt.clikt.core.ProgramResult
 import com.github.ajalt.clikt.parameters.arguments.argument
 import daphnis.app.printing.printLine
-import daphnis.core.format.FormatException
-import daphnis.core.run.RunDirectory
+import daphnis.core.run.RecordedRun
+import daphnis.core.run.Run
 import daphnis.core.run.RunRecord
 import daphnis.core.run.Summary
+import daphnis.core.run.Version
 import daphnis.core.scenario.InputException
-import java.nio.file.Files
 
 /** `daphnis compare`: exit code 0 when two runs are identical, 1 when they differ. */
 class CompareCommand : CliktCommand(name = "compare") {
@@ -21,10 +21,9 @@ class CompareCommand : CliktCommand(name = "compare") {
         "Say whether two runs are identical, or the first step and particle that differ."
 
     override fun run() {
-        val a = directory(first)
-        val b = directory(second)
-        val endA = summary(a)
-        val endB = summary(b)
+        val (runA, runB) = listOf(first, second).map { Run.open(pathOf(it, "dir")) }
+        val (a, b) = listOf(runA, runB).map { it.directory }
+        val (endA, endB) = listOf(runA, runB).map { it.summary() }
         val common = a.snapshotSteps().intersect(b.snapshotSteps().toSet()).sorted()
         for (step in common) {
             val difference = firstDifference(a.readSnapshot(step), b.readSnapshot(step)) ?: continue
@@ -49,9 +48,17 @@ class CompareCommand : CliktCommand(name = "compare") {
         val digest = if (digestA != null && digestA == digestB) {
             ", state digest $digestA"
         } else {
-            "; at least one has not ended, so the ends are not compared"
+            "; the ends are not compared, since ${listOfNotNull(notEnded(runA), notEnded(runB)).joinToString(" and ")}"
         }
         printLine("identical: ${common.size} common snapshots$digest")
+    }
+
+    /** Why [run] has no end to compare; null when it has one. */
+    private fun notEnded(run: RecordedRun): String? {
+        if (run.summary() != null) return null
+        val path = run.directory.path
+        if (!RunRecord.of(run.directory).hasEnded) return "$path has not ended"
+        return "${run.directory.summary} is missing, which ${Version.command} resume $path writes again"
     }
 
     /** A run that starts from a state of another counts its steps anew, and yet may come to the same end. */
@@ -60,15 +67,4 @@ class CompareCommand : CliktCommand(name = "compare") {
         return "; both end in the same state, digest ${a.stateDigest}"
     }
 
-    private fun directory(word: String): RunDirectory {
-        val directory = RunDirectory(pathOf(word, "dir"))
-        directory.requireRun()
-        return directory
-    }
-
-    private fun summary(directory: RunDirectory): Summary? {
-        if (!Files.exists(directory.summary)) return null
-        RunRecord.of(directory).problems(directory.summary).firstOrNull()?.let { throw FormatException(it) }
-        return Summary.read(directory.summary)
-    }
 }

@@ -28,6 +28,9 @@ internal class FleetOptions : ProcessOptions(GroupedHelp.SEVERAL_MACHINES, "See 
         help = "compute with the nodes of the cluster to which these belong",
     )
 
+    @Volatile
+    private var fleet: LateFleet? = null
+
     /** Whether nodes compute. */
     val isGiven: Boolean get() = nodes != null || cluster != null
 
@@ -43,8 +46,14 @@ internal class FleetOptions : ProcessOptions(GroupedHelp.SEVERAL_MACHINES, "See 
         val settings = settings(cluster?.let { HostPort.parseList(it, "--cluster") }.orEmpty())
         settings.requireUsable()
         return LateFleet { if (cluster == null) onThisMachine(name, threads) else onCluster(name, settings) }.use {
+            fleet = it
             act(FleetEngines(it, log = ::warn))
         }
+    }
+
+    /** Ends a wait for nodes. Any thread may call. */
+    fun giveUp() {
+        fleet?.giveUp()
     }
 
     private fun requireConsistent(threads: Int?) {

@@ -8,8 +8,10 @@ import java.util.concurrent.TimeUnit
  * Turns Ctrl-C and a polite kill into a request that the run sees between two steps. The JVM ends as soon as its hooks
  * have, so the hook waits until the run has written its checkpoint, but not for ever: a step that does not end is given
  * up, and the last checkpoint stands.
+ *
+ * @param endWaits ends what a run may wait for within a step
  */
-internal class Interruption {
+internal class Interruption(private val endWaits: () -> Unit = {}) {
     @Volatile
     var requested = false
 
@@ -20,6 +22,7 @@ internal class Interruption {
     private val finished = CountDownLatch(1)
     private val hook = Thread {
         requested = true
+        endWaits()
         if (armed && finished.await(LONGEST_WAIT_SECONDS, TimeUnit.SECONDS)) Runtime.getRuntime().halt(EXIT_INTERRUPTED)
     }
 

@@ -2,6 +2,7 @@ package daphnis.app
 
 import daphnis.core.cluster.BusyNode
 import daphnis.core.cluster.Fleet
+import daphnis.core.cluster.FleetException
 import daphnis.core.cluster.FleetNode
 import daphnis.core.cluster.Mail
 
@@ -10,21 +11,51 @@ internal class LateFleet(private val start: () -> Fleet) : Fleet {
     private var fleet: Fleet? = null
     private var isClosed = false
 
+    /** Who starts the fleet. */
+    @Volatile
+    private var starter: Thread? = null
+
+    @Volatile
+    private var isGivenUp = false
+
     override fun nodes(): List<FleetNode> = started().nodes()
 
-    override fun busy(): List<BusyNode> = started().busy()
+    /** Asked by those alone who wait for nodes. */
+    override fun busy(): List<BusyNode> {
+        if (isGivenUp) throw FleetException(GIVEN_UP)
+        return started().busy()
+    }
 
     override fun form(nodes: List<FleetNode>): Mail = started().form(nodes)
+
+    /** Ends every wait for nodes with a [FleetException]; a run that has its nodes goes on. Any thread may call. */
+    fun giveUp() {
+        isGivenUp = true
+        starter?.interrupt()
+    }
 
     @Synchronized
     private fun started(): Fleet {
         check(!isClosed) { "the fleet is closed" }
-        return fleet ?: start().also { fleet = it }
+        fleet?.let { return it }
+        starter = Thread.currentThread()
+        try {
+            if (isGivenUp) throw FleetException(GIVEN_UP)
+            return start().also { fleet = it }
+        } catch (e: InterruptedException) {
+            throw FleetException(GIVEN_UP)
+        } finally {
+            starter = null
+        }
     }
 
     @Synchronized
     override fun close() {
         isClosed = true
         fleet?.close()
+    }
+
+    private companion object {
+        const val GIVEN_UP = "interrupted while it waited for nodes"
     }
 }

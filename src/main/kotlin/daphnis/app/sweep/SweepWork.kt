@@ -99,9 +99,12 @@ internal class SweepWork(
     private fun end(scenario: Scenario): Double = FrameSetup.times(scenario, source).end
 
     private fun isFinished(place: RunDirectory): Boolean {
-        if (!Files.exists(place.scenario) || !Files.exists(place.summary)) return false
-        RunRecord.of(place).problems(place.summary).firstOrNull()?.let { throw FormatException("$it; $MEND") }
-        return Summary.read(place.summary).finished
+        if (!Files.exists(place.scenario)) return false
+        return try {
+            Run.open(place.path).summary()?.finished ?: false
+        } catch (e: FormatException) {
+            throw FormatException("${e.message}; $MEND")
+        }
     }
 
     /** Whether the run came to its end. */

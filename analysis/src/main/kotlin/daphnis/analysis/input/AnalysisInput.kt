@@ -208,7 +208,8 @@ public class AnalysisInput internal constructor(
             val transport = if (Files.exists(run.transport)) TransportTable.read(run.transport) else null
             val series = if (Files.exists(run.series)) SeriesTable.read(run.series) else null
             val summary = if (Files.exists(run.summary)) Summary.read(run.summary) else null
-            val impacts = if (Files.exists(run.impacts)) ImpactTable.read(run.impacts) else null
+            val hasImpacts = Files.exists(run.impacts) && !RunRecord.of(run).isNewer(run.impacts)
+            val impacts = if (hasImpacts) ImpactTable.read(run.impacts) else null
             val modes = if (Files.exists(run.modes)) ModesTable.read(run.modes) else null
             val firstBody = scenario?.firstBody(run.readSnapshot(steps[0]).size) ?: Int.MAX_VALUE
             val bodies = if (Files.exists(run.bodies)) BodyTable.read(run.bodies) else emptyList()
@@ -228,10 +229,12 @@ public class AnalysisInput internal constructor(
             val changes = scenario?.let { record.changes(it) }.orEmpty()
             val tables = arrayOf(run.summary, run.series, run.transport, run.impacts, run.modes, run.bodies)
             val problems = changes + record.problems(*tables)
+            val newer = listOf(run.impacts).filter { Files.exists(it) && record.isNewer(it) }
+                .map { "$it: is not what the run's last checkpoint knows, and is left out; resume writes it anew" }
             if (problems.isNotEmpty() && !acceptLoss) {
                 throw InputException("", null, problems.first(), WayOut.ANALYSE_WITH_LOSS)
             }
-            return problems + record.losses + scenario?.let { record.harmlessChanges(it) }.orEmpty()
+            return problems + newer + record.losses + scenario?.let { record.harmlessChanges(it) }.orEmpty()
         }
 
         /**

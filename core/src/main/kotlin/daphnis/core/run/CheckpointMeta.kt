@@ -23,6 +23,8 @@ import kotlinx.serialization.Serializable
  *
  * @property pistons position and speed of each wall that is a piston, by the number of its face
  *
+ * @property snapshots checksum of each state that was written as a snapshot, by step
+ *
  * @property losses what was lost of tables, and accepted on a resume, since the start of the run; one line each
  */
 @OptIn(ExperimentalSerializationApi::class)
@@ -37,6 +39,7 @@ internal class CheckpointMeta(
     val losses: List<String> = emptyList(),
     @EncodeDefault(EncodeDefault.Mode.NEVER) val reducedPressure: Double? = null,
     @EncodeDefault(EncodeDefault.Mode.NEVER) val pistons: Map<Int, List<Double>> = emptyMap(),
+    @EncodeDefault(EncodeDefault.Mode.NEVER) val snapshots: Map<Long, Long> = emptyMap(),
 ) {
     init {
         val lacks = Counter.entries.find { it.isOfTrajectory && it.key !in counted }
@@ -46,7 +49,11 @@ internal class CheckpointMeta(
     }
 
     /** The same with the marks of the run's files. */
-    fun with(appended: Map<String, FileMark>, whole: Map<String, FileMark>): CheckpointMeta = CheckpointMeta(
+    fun with(
+        appended: Map<String, FileMark>,
+        whole: Map<String, FileMark>,
+        snapshots: Map<Long, Long>,
+    ): CheckpointMeta = CheckpointMeta(
         step,
         time,
         counted,
@@ -56,6 +63,7 @@ internal class CheckpointMeta(
         losses,
         reducedPressure,
         pistons,
+        snapshots,
     )
 
     /** Puts the pistons of [boundary] where they were. */

@@ -151,7 +151,7 @@ internal class Execution(
         saved: Map<String, OutputState>,
     ) {
         try {
-            checkpoints.write(meta.with(files.force(), files.whole + last), origin, spheres, saved)
+            checkpoints.write(meta.with(files.force(), files.whole + last, files.snapshots), origin, spheres, saved)
         } catch (e: IllegalStateException) {
             throw failed(e, meta.step)
         } catch (e: IllegalArgumentException) {

@@ -96,6 +96,12 @@ internal open class FileOperations {
         }
     }
 
+    /** Makes [directory] where there is none. @throws IOException when no file can be written into it */
+    fun requireWritable(directory: Path) {
+        Files.createDirectories(directory)
+        Files.delete(Files.createTempFile(directory, ".daphnis", null))
+    }
+
     /** The path at which [path] is written before it is renamed. */
     fun besideOf(path: Path): Path = path.resolveSibling("${path.fileName}.tmp")
 

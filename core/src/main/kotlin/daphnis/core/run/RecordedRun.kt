@@ -25,8 +25,12 @@ public class RecordedRun internal constructor(public val directory: RunDirectory
     public fun scenario(): Scenario? =
         if (Files.exists(directory.scenario)) ScenarioJson.read(directory.scenario).atHome(directory.path) else null
 
-    /** Result of the run; null while it has none. */
-    public fun summary(): Summary? = if (Files.exists(directory.summary)) Summary.read(directory.summary) else null
+    /** Result of the run, which is what the run wrote; null while it has none. */
+    public fun summary(): Summary? {
+        if (!Files.exists(directory.summary)) return null
+        RunRecord.of(directory).problems(directory.summary).firstOrNull()?.let { throw FormatException(it) }
+        return Summary.read(directory.summary)
+    }
 
     /** Steps after which there is a state, ascending. */
     public fun steps(): List<Long> {

@@ -66,7 +66,9 @@ public class Run internal constructor(
         isExecuted = true
         try {
             val beginnings = from?.beginnings.orEmpty()
-            RunFiles(directory, beginnings, directory.files.writer(), units = scenario?.units).use { files ->
+            val states = from?.checkpoint?.meta?.snapshots.orEmpty()
+            val writer = directory.files.writer()
+            RunFiles(directory, beginnings, writer, units = scenario?.units, snapshots = states).use { files ->
                 val usual = named(PeriodicOutputs.make(plan.output, plan.sums, files), simulation)
                 from?.let { restore(usual, it.checkpoint.outputs) }
                 val last = NamedOutput("the watcher", watcher, simulation)

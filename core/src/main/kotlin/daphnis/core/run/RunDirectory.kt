@@ -2,6 +2,7 @@ package daphnis.core.run
 
 import daphnis.core.format.FormatException
 import daphnis.core.format.H5md
+import daphnis.core.format.H5mdChecksum
 import daphnis.core.format.PackedFile
 import daphnis.core.format.Snapshot
 import daphnis.core.format.SnapshotFormats
@@ -9,6 +10,7 @@ import daphnis.core.format.WholeFile
 import daphnis.core.format.reasonOf
 import daphnis.core.scenario.InputException
 import java.io.IOException
+import java.nio.file.Files
 import java.nio.file.Path
 import kotlin.io.path.exists
 import kotlin.io.path.isDirectory
@@ -102,8 +104,21 @@ public class RunDirectory internal constructor(public val path: Path, internal v
         if (snapshot.step != step) {
             throw FormatException("$file: holds the state after step ${snapshot.step}; its name says $step")
         }
+        val known = checksum(step)
+        if (known != null && known != H5mdChecksum.of(listOf(snapshot))) {
+            throw FormatException("$file: is a state of another run than the one here; remove the file, or bring it back")
+        }
         return snapshot
     }
+
+    /** Of the state after [step], as the run wrote it; null where no checkpoint says it. */
+    private fun checksum(step: Long): Long? {
+        if (step !in checksums) checksums = RunRecord.of(this).snapshots
+        return checksums[step]
+    }
+
+    @Volatile
+    private var checksums: Map<Long, Long> = emptyMap()
 
     /** The two files of which one marks a run; an interrupted start leaves its file beside it. */
     internal val origins: List<Path> get() = listOf(scenario, program)
@@ -122,6 +137,9 @@ public class RunDirectory internal constructor(public val path: Path, internal v
     public fun requireRun() {
         if (!path.exists()) throw InputException(path.toString(), null, "no such file or directory")
         if (!path.isDirectory()) throw InputException(path.toString(), null, "is no directory")
+        if (!Files.isExecutable(path) || !Files.isReadable(path)) {
+            throw InputException(path.toString(), null, "cannot be read: permission denied")
+        }
         if (holdsRun()) return
         val isCutShort = origins.any { files.besideOf(it).exists() }
         val missing = "it has neither $SCENARIO nor $PROGRAM"

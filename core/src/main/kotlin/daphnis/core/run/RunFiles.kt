@@ -12,6 +12,7 @@ import java.nio.file.Path
  * The tables that outputs of a run write into [directory], and what a checkpoint keeps about them (ADR 33).
  *
  * @param beginnings of tables, by name, to continue from; a table without one starts as a new file
+ * @param snapshots checksums of the states that were written before, by step
  * @param units of the scenario, which stand in the heads of new tables; null when nobody knows them
  * @property writer does the writing; closed with this
  * @param clock nanoseconds; rows that have waited for a second are written
@@ -22,11 +23,15 @@ internal class RunFiles(
     val writer: Writer = DirectWriter,
     private val clock: () -> Long = System::nanoTime,
     units: UnitsSpec? = null,
+    snapshots: Map<Long, Long> = emptyMap(),
 ) : AutoCloseable {
     /** What the units of columns are called. */
     val units = UnitsOfDimensions(units)
     private val tables = LinkedHashMap<String, AppendedFile>()
     private val marks = LinkedHashMap<String, FileMark>()
+
+    /** Checksums of the states that were written as snapshots, by step. For the writer. */
+    val snapshots: MutableMap<Long, Long> = LinkedHashMap(snapshots)
 
     /** The marks of files that were written whole since the start. For the writer. */
     val whole: Map<String, FileMark> get() = marks

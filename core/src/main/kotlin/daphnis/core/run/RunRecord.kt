@@ -13,6 +13,12 @@ public class RunRecord private constructor(
     private val head: Checkpoint.Head?,
     private val isLast: Boolean,
 ) {
+    /** Whether the last step of the run has been made, and perhaps no other since. */
+    public val hasEnded: Boolean get() = isLast && RunDirectory.SUMMARY in head?.meta?.whole.orEmpty()
+
+    /** The checksum of the state after each [step][Long] up to the checkpoint that the run wrote as a snapshot. */
+    internal val snapshots: Map<Long, Long> get() = head?.meta?.snapshots.orEmpty()
+
     /**
      * What is wrong with [files] of the directory, including missing ones: one line each, with the file's name. Rows
      * that were written after the checkpoint are not checked. Summary and impacts are known once the run has ended.
@@ -20,17 +26,20 @@ public class RunRecord private constructor(
     public fun problems(vararg files: Path): List<String> {
         val meta = head?.meta ?: return emptyList()
         // While a run is in progress, impacts are written before the checkpoint that knows them.
-        val whole = if (isLast && RunDirectory.SUMMARY in meta.whole && Files.exists(directory.summary)) {
-            meta.whole
-        } else {
-            emptyMap()
-        }
+        val whole = if (hasEnded && Files.exists(directory.summary)) meta.whole else emptyMap()
         return files.mapNotNull { file ->
             val name = file.fileName.toString()
             val problem = meta.appended[name]?.problem(file) ?: whole[name]?.problem(file, whole = true)
             problem?.let { "$file: $it" }
         }
     }
+
+    /**
+     * Whether [file], which a run that has not ended writes whole before each checkpoint, is another than that of the
+     * last one. Then the run has gone on since, was killed between the two, or the file is of another run.
+     */
+    public fun isNewer(file: Path): Boolean =
+        !hasEnded && head?.meta?.whole?.get(file.fileName.toString())?.problem(file, whole = true) != null
 
     /** What was lost of the tables and accepted when the run was resumed, one line each. */
     public val losses: List<String> get() = head?.meta?.losses.orEmpty().map { "${directory.path}/$it" }

@@ -168,11 +168,11 @@ internal fun goingOn(
     try {
         notices += listOfNotNull(lock.notice)
         if (good != null) giveBack(plan.own, good.checkpoint, directory, notices)
+        for (folder in directory.folders) directory.files.requireWritable(folder)
         // Snapshots after the checkpoint are written again, with the same bits; the summary would be that of a run
         // which has not ended.
         directory.files.delete(directory.summary)
         keep()
-        for (folder in directory.folders) Files.createDirectories(folder)
         return Run(directory, plan, origin, checkpoints, good, lock, notices)
     } catch (e: Throwable) {
         plan.use { throw e }

@@ -3,6 +3,7 @@ package daphnis.core.run
 import daphnis.core.Output
 import daphnis.core.Simulation
 import daphnis.core.format.H5md
+import daphnis.core.format.H5mdChecksum
 import daphnis.core.format.Snapshot
 import daphnis.core.scenario.OutputSpec
 
@@ -50,5 +51,6 @@ internal class Snapshots(private val times: OutputTimes, private val files: RunF
     /** By the writer. */
     private fun write(state: Snapshot) {
         directory.files.writeAtomically(directory.snapshot(state.step)) { H5md.write(listOf(state), it, Version.text) }
+        files.snapshots[state.step] = H5mdChecksum.of(listOf(state))
     }
 }
