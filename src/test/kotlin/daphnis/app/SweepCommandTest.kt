@@ -273,6 +273,8 @@ class SweepCommandTest {
             assertRefused(sweep(*words, "--out", none), *parts.toTypedArray())
         refused("cooling-gas", parts = listOf("--set", "nothing to sweep"))
         refused("cooling-gas", "--set", "until=1", parts = listOf("--set", "nothing to sweep"))
+        refused("cooling-gas", "--set", "until=1..4", parts = listOf("until", "1..4 is one value", "until=1,2,4"))
+        refused("cooling-gas", "--set", "name=a,b", parts = listOf("name", "would all be the same"))
         refused("cooling-gas", "--set", "seed=1,2", parts = listOf("seed", "--seeds"))
         refused("cooling-gas", "--set", "until=1,2", "--set", "until=3", parts = listOf("until", "twice"))
         refused("cooling-gas", "--set", "until", parts = listOf("path=value"))

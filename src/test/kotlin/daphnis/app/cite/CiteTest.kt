@@ -6,6 +6,7 @@ import daphnis.app.daphnis
 import daphnis.core.run.Summary
 import daphnis.core.run.Version
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
@@ -69,7 +70,7 @@ class CiteTest {
         Files.writeString(home.resolve("steps.json"), text.replace("\"steps\": 5", "\"steps\": 6"))
         assertEquals(1, daphnis("reproduce", at("steps.json"), "--out", at("again"), "--quiet").code)
         Files.writeString(home.resolve("digest.json"), text.replace(Regex("\"[0-9a-f]{64}\""), "\"f00\""))
-        assertRefused(daphnis("reproduce", at("digest.json")), "digest.json", "stateDigest is no digest")
+        assertRefused(daphnis("reproduce", at("digest.json")), "digest.json", "its stateDigest is not a digest")
     }
 
     @Test
@@ -83,9 +84,16 @@ class CiteTest {
         assertRefused(daphnis("cite", at("from"), "--record", at("from.json")), "begins from a state in a file")
         assertDone(daphnis("cite", at("from")))
         assertDone(daphnis("reproduce", at("from"), "--out", at("from again"), "--quiet"))
+        assertRefused(daphnis("cite", at("gas"), "--record", at("no/such.json")), "--record", "there is no directory")
+        assertFalse(Files.exists(home.resolve("no")))
         val summary = home.resolve("gas/summary.json")
-        Files.writeString(summary, Files.readString(summary).replace("\"finished\": true", "\"finished\": false"))
+        val text = Files.readString(summary)
+        Files.writeString(summary, text.replace("\"steps\": 5", "\"steps\": 6"))
+        for (command in listOf("cite", "reproduce")) assertRefused(daphnis(command, at("gas")), "is not what the run wrote")
+        Files.delete(summary)
         assertRefused(daphnis("cite", at("gas")), "has not finished", "resume ${at("gas")}")
         assertRefused(daphnis("reproduce", at("gas")), "has not finished")
+        val same = assertDone(daphnis("compare", at("gas"), at("gas")))
+        assertTrue("gas/summary.json is missing, which" in same) { same }
     }
 }

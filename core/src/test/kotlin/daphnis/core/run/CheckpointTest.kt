@@ -100,7 +100,7 @@ class CheckpointTest {
     @Test
     fun `a version that is not known is passed over, with a notice, for the checkpoint before`() {
         val directory = broken()
-        for (version in listOf(1, 2, 99)) {
+        for (version in listOf(1, 99)) {
             val run = RunDirectory(copyOf(directory.path, home.resolve("version-$version")))
             Files.write(run.checkpoint, Files.readAllBytes(run.checkpoint).also { it[11] = version.toByte() })
             Run.resume(run.path).use {

@@ -1,6 +1,7 @@
 package daphnis.core.run
 
 import daphnis.core.Output
+import daphnis.core.format.FormatException
 import daphnis.core.scenario.InputException
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
@@ -11,6 +12,7 @@ import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import java.nio.file.Files
 import java.nio.file.Path
+import java.nio.file.StandardCopyOption
 
 class RecordedRunTest {
     @TempDir
@@ -55,6 +57,43 @@ class RecordedRunTest {
         refused({ Run.open(home.resolve("nothing")) }, "no such file")
         Run.start(tableScenario("output.snapshotEvery=1"), "test", home.resolve("b")).use { it.execute() }
         refused({ Run.open(home.resolve("b")).atStep(70) }, "13, from 0, 1, … to 12")
+    }
+
+    @Test
+    fun `a state or a summary of another run of the same name is refused, also after a resume`() {
+        val other = home.resolve("other")
+        startIn(directory).toStep(7)
+        Run.resume(directory).use { it.execute() }
+        startIn(other, tableScenario("seed=4")).use { it.execute() }
+        val (here, there) = listOf(directory, other).map { RunDirectory(it) }
+        for (step in here.snapshotSteps()) {
+            val own = Files.readAllBytes(here.snapshot(step))
+            Files.copy(there.snapshot(step), here.snapshot(step), StandardCopyOption.REPLACE_EXISTING)
+            val e = assertThrows(FormatException::class.java) { Run.open(directory).atStep(step) }
+            assertTrue("is a state of another run" in e.message!!) { e.message }
+            Files.write(here.snapshot(step), own)
+        }
+        assertEquals(4, Run.open(directory).states().count())
+        // A run may be thinned out.
+        Files.delete(here.snapshot(4))
+        assertEquals(3, Run.open(directory).states().count())
+        Files.copy(there.summary, here.summary, StandardCopyOption.REPLACE_EXISTING)
+        assertThrows(FormatException::class.java) { Run.open(directory).summary() }
+        assertTrue(RunRecord.of(here).hasEnded)
+    }
+
+    @Test
+    fun `impacts of another run, in one that was killed, are known for what they are`() {
+        startIn(directory).use { run -> run.execute(cancelled = { run.simulation.step >= 7 }) }
+        val here = RunDirectory(directory)
+        assertFalse(RunRecord.of(here).isNewer(here.impacts))
+        // As after a kill: a checkpoint in mid-run is the last.
+        Files.delete(here.checkpoint)
+        Files.move(here.previousCheckpoint, here.checkpoint)
+        Files.delete(here.summary)
+        Files.writeString(here.impacts, "another run's")
+        assertFalse(RunRecord.of(here).hasEnded)
+        assertTrue(RunRecord.of(here).isNewer(here.impacts))
     }
 
     @Test

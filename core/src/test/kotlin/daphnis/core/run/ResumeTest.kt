@@ -272,6 +272,17 @@ class ResumeTest {
     }
 
     @Test
+    fun `a finished run that cannot be resumed keeps its summary`() {
+        val directory = home.resolve("a")
+        startIn(directory).use { it.execute() }
+        val summary = Files.readString(RunDirectory(directory).summary)
+        Files.move(RunDirectory(directory).snapshots, directory.resolve("elsewhere"))
+        Files.writeString(RunDirectory(directory).snapshots, "in the way")
+        assertThrows(RunException::class.java) { Run.resume(directory).close() }
+        assertEquals(summary, Files.readString(RunDirectory(directory).summary))
+    }
+
+    @Test
     fun `a finished run whose last state is damaged gets it back`() {
         val directory = home.resolve("finished")
         startIn(directory).toStep(Long.MAX_VALUE)

@@ -84,7 +84,7 @@ class ScenarioJsonTest {
         assertWrong(good.replace("\"until\"", "\"untill\""), emptyList(), "my.json", "untill", "did you mean 'until'?")
         assertWrong("timestep.dt=0.1", "timestep: unknown key; did you mean 'timeStep'?")
         // Another type may have it.
-        assertWrong("timeStep.path=1", "timeStep.path: unknown key for type fixed; known: dt")
+        assertWrong("timeStep.path=1", "timeStep.path: unknown key for type fixed; it is a key of type automatic")
         assertWrong("particles.sizes.raduis=3", "particles.sizes.raduis", "did you mean 'radius'?")
         assertWrong("boundary.type=periodc", "boundary.type", "did you mean 'periodic'?")
     }
@@ -96,6 +96,16 @@ class ScenarioJsonTest {
                 ScenarioJson.parse("{\n  \"box\": { \"lengths\" [1, 2, 3] }\n}", "my.json")
             }
         assertTrue(Regex("""^my\.json:2:\d+: malformed JSON: .+""").matches(e.message.orEmpty())) { e.message }
+    }
+
+    @Test
+    fun `a text that ends too early is told so, and a key of another type by that type`() {
+        for (text in listOf("{", "{\"a\":", "{\"a\": \"x", "{\"a\": 1}}")) {
+            val e = assertThrows(InputException::class.java) { ScenarioJson.parse(text, "my.json") }
+            assertTrue("EOF" !in e.message!! && "end" in e.message!! && "Json" !in e.message!!) { e.message }
+        }
+        assertWrong("restitution.speed=1", "restitution.speed", "is a key of type", "give restitution.type=")
+        assertWrong("restitution.coeficient=1", "did you mean 'coefficient'")
     }
 
     @Test
