@@ -48,7 +48,8 @@ public class ContactValues @JvmOverloads constructor(
         val group = IntArray(state.population.size) { if (state.isParticle(it)) groups.of(state, it) else -1 }
         val largest = group.indices.maxOfOrNull { if (group[it] < 0) 0.0 else radius[it] } ?: 0.0
         val far = 2 * largest * (1 + reach)
-        require(far <= (0 until d).minOf { box.length(it) } / 2) { "pairs up to $far; the box has no room for them" }
+        // Of its own images none may be that near: all images of others count.
+        require(far <= (0 until d).minOf { box.length(it) }) { "pairs up to $far; the box has no room for them" }
         val counts = Array(numbers) { DoubleArray(BINS) }
         forEachPair(state, far, d == 2) { i, j, square ->
             val contact = radius[i] + radius[j]

@@ -29,9 +29,6 @@ public class Clusters private constructor(
     public companion object {
         /**
          * Of particles whose surfaces are up to [gap] apart, a length ≥ 0; single particles are clusters of one.
-         *
-         * @throws IllegalArgumentException where a box with images is too small for two of the largest spheres that far
-         *   apart
          */
         @JvmStatic
         public fun byGap(state: State, gap: Double): Clusters {
@@ -39,12 +36,6 @@ public class Clusters private constructor(
             val p = state.population
             val largest = (0 until p.size).maxOfOrNull { if (state.isParticle(it)) p.radius[it] else 0.0 } ?: 0.0
             val reach = 2 * largest + gap
-            for (axis in 0 until state.dimensions) {
-                val room = state.boundary.box.length(axis) / 2
-                require(!state.boundary.hasImages(axis) || reach <= room) {
-                    "centres up to $reach apart; the box, by half its edge along ${"xyz"[axis]}, has room for $room"
-                }
-            }
             val links = Links(state) { state.isParticle(it) }
             forEachVector(state, reach) { i, j, dx, dy, dz ->
                 val contact = p.radius[i] + p.radius[j] + gap

@@ -30,26 +30,21 @@ public class NeighbourLists private constructor(
 
         /**
          * Of [state], by the rule [neighbours]. Where it takes more candidates than are near, the search goes farther,
-         * up to half the shortest edge; a particle that then still lacks some has all that were found.
+         * up to three times as far; a particle that then still lacks some has all that were found. In a thin box a
+         * particle may be a neighbour several times, by its images, and by them its own.
          *
-         * @throws IllegalArgumentException where a box with images is less than twice as wide as the rule reaches
+         * @throws IllegalArgumentException where a box with images is less than a sixteenth as wide as the rule reaches
          */
         @JvmStatic
         @JvmOverloads
         public fun of(state: State, neighbours: Neighbours = Neighbours.SolidAngle): NeighbourLists {
-            val room = (0 until state.dimensions).filter { state.boundary.hasImages(it) }
-                .minOfOrNull { state.boundary.box.length(it) / 2 } ?: Double.POSITIVE_INFINITY
             var reach = neighbours.reach(state)
-            require(neighbours !is Neighbours.Within || reach <= room) {
-                "neighbours up to $reach away; the box, by half its shortest edge, has room for $room"
-            }
-            reach = minOf(reach, room)
             var attempt = 1
             while (true) {
                 val found = Candidates(state, reach)
                 val counts = found.counts(neighbours)
-                if (counts.none { it < 0 } || reach >= room || attempt == MOST_ATTEMPTS) return found.lists(counts)
-                reach = minOf(1.4 * reach, room)
+                if (counts.none { it < 0 } || attempt == MOST_ATTEMPTS) return found.lists(counts)
+                reach *= 1.4
                 attempt++
             }
         }

@@ -70,7 +70,7 @@ public sealed class Neighbours {
          * twentieth of a diameter is lowest between the highest peak, within 1.5 mean diameters, and 2.2, or half the
          * shortest edge.
          *
-         * @throws IllegalArgumentException for no state
+         * @throws IllegalArgumentException for no state, or an edge below 3.9 diameters
          */
         @JvmStatic
         public fun toFirstMinimum(vararg states: State): Within {
@@ -78,6 +78,10 @@ public sealed class Neighbours {
             val p = states[0].population
             val diameter = 2 * (0 until p.size).filter { states[0].isParticle(it) }.map { p.radius[it] }.average()
             val farthest = minOf(FARTHEST * diameter, states.minOf { PairCorrelation.farthest(it.boundary) })
+            require(farthest >= NEAREST * diameter) {
+                "the first minimum of g(r) is sought up to ${FARTHEST * diameter}; the box, by half its shortest edge, " +
+                    "has room for $farthest"
+            }
             val pairs = PairCorrelation(farthest, (farthest / diameter * BINS).toInt().coerceAtLeast(3))
             val g = DoubleArray(pairs.bins)
             for (state in states) for ((bin, value) in pairs.of(state).withIndex()) g[bin] += value
@@ -96,6 +100,7 @@ public sealed class Neighbours {
         }
 
         private const val FARTHEST = 2.2
+        private const val NEAREST = 1.95
         private const val PEAK = 1.5
         private const val BINS = 20
     }

@@ -17,13 +17,13 @@ import kotlin.math.sqrt
 
 class BondOrderTest {
     /** [cells] copies along each axis of a cell with the [edges] and the [sites], as shares of these. */
-    private fun crystal(edges: List<Double>, sites: List<List<Double>>, cells: Int = 4): State {
+    private fun crystal(edges: List<Double>, sites: List<List<Double>>, vararg cells: Int = intArrayOf(4, 4, 4)): State {
         val all = ArrayList<DoubleArray>()
-        for (i in 0 until cells) {
-            for (j in 0 until cells) {
-                for (k in 0 until cells) {
+        for (i in 0 until cells[0]) {
+            for (j in 0 until cells[1]) {
+                for (k in 0 until cells[2]) {
                     for (s in sites) {
-                        all += DoubleArray(3) { (s[it] + intArrayOf(i, j, k)[it] - cells / 2.0 + 1e-3) * edges[it] }
+                        all += DoubleArray(3) { (s[it] + intArrayOf(i, j, k)[it] - cells[it] / 2.0 + 1e-3) * edges[it] }
                     }
                 }
             }
@@ -31,7 +31,7 @@ class BondOrderTest {
         val zero = DoubleArray(all.size)
         val x = List(3) { axis -> DoubleArray(all.size) { all[it][axis] } }
         val half = DoubleArray(all.size) { 0.5 }
-        val box = Box.centred(cells * edges[0], cells * edges[1], cells * edges[2])
+        val box = Box.centred(cells[0] * edges[0], cells[1] * edges[1], cells[2] * edges[2])
         return State(
             Population(x[0], x[1], x[2], zero, zero.copyOf(), zero.copyOf(), half, half.copyOf()),
             Periodic(box),
@@ -39,10 +39,11 @@ class BondOrderTest {
         )
     }
 
-    private fun fcc() = sqrt(2.0).let { a ->
+    private fun fcc(vararg cells: Int = intArrayOf(4, 4, 4)) = sqrt(2.0).let { a ->
         crystal(
             listOf(a, a, a),
             listOf(listOf(0.0, 0.0, 0.0), listOf(0.5, 0.5, 0.0), listOf(0.5, 0.0, 0.5), listOf(0.0, 0.5, 0.5)),
+            *cells,
         )
     }
 
@@ -146,7 +147,7 @@ class BondOrderTest {
             }
         }
         assertTrue(BondOrder(state, lists).q6[195].isNaN())
-        assertThrows(IllegalArgumentException::class.java) { NeighbourLists.of(state, Neighbours.Within(3.1)) }
+        assertThrows(IllegalArgumentException::class.java) { NeighbourLists.of(state, Neighbours.Within(97.0)) }
         assertThrows(IllegalArgumentException::class.java) { Neighbours.Within(0.0) }
         assertThrows(IllegalArgumentException::class.java) { HexaticOrder(state, lists) }
     }

@@ -32,11 +32,6 @@ internal class CoolingSection(private val study: Study) : Section {
         (0 until last.dimensions).all { last.boundary.hasImages(it) } &&
         FreeCooling.isSeen(study.input)
     override val leftOut = study.tooFew(FEWEST)
-        ?: "the box is too small".takeIf { isSmall() }
-
-    private fun isSmall() = study.boxes.boundaries.any { b ->
-        (0 until last.dimensions).any { b.box.length(it) < 2 * (2 * study.bulk.largestRadius + gap) }
-    }
 
     override fun add(state: State) {
         if (leftOut != null) return

@@ -14,7 +14,7 @@ internal class MixturePart(private val study: Study, private val kinds: NamedGro
     private val dimensions = study.last.dimensions
     private val isBox = !study.isRing &&
         study.boxes.boundaries.all { b ->
-            (0 until dimensions).all { b.hasImages(it) && b.box.length(it) > 4.4 * study.bulk.largestRadius }
+            (0 until dimensions).all { b.hasImages(it) && b.box.length(it) > 2.2 * study.bulk.largestRadius }
         }
     private val contact = ContactValues(kinds.groups)
     private val contacts = if (isBox) Averages(contact) else null
