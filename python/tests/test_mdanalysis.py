@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import pickle
 import sys
 from pathlib import Path
 from typing import Any
@@ -42,6 +43,27 @@ def test_a_universe_has_the_states_in_the_units_of_the_run(
         with pytest.raises(ZeroDivisionError):
             daphnis.universe(ring, file)
     assert [entry.name for entry in file.parent.iterdir()] == ["ring.h5md"]
+
+
+def test_each_frame_has_its_own_radii_where_spheres_grow(tmp_path: Path) -> None:
+    h5py = pytest.importorskip("h5py")
+    pytest.importorskip("MDAnalysis")
+    growing = {"particles.count": 60, "particles.sizes": {"type": "equal", "radius": 0.3}, "until": 0.3}
+    more = {"growth": {"rate": 0.2}, "output.snapshotInterval": 0.1, "output.transportInterval": 0.1}
+    run = daphnis.run("elastic-gas", tmp_path / "run", set={**growing, **more})
+    universe = daphnis.universe(run)
+    states = list(run.states())
+    assert states[-1].radius[0] > 1.05 * states[0].radius[0]
+    for order in (1, -1):
+        for frame in universe.trajectory[::order]:
+            assert np.array_equal(universe.atoms.radii, states[frame.frame].radius)
+    again = pickle.loads(pickle.dumps(universe))
+    assert again.trajectory[1].frame == 1 and np.array_equal(again.atoms.radii, states[1].radius)
+    with h5py.File(run.path / "export" / "trajectory.h5") as file:
+        radius = file["particles/all/radius"]
+        assert np.array_equal(radius["value"], np.array([state.radius for state in states]))
+        assert np.array_equal(radius["time"], [state.time for state in states])
+        assert radius["step"] == file["particles/all/position/step"]
 
 
 def test_a_file_of_a_run_opens_with_one_option(patch: dict[str, Any], tmp_path: Path) -> None:

@@ -18,7 +18,8 @@ if TYPE_CHECKING:
 def universe(run: Run | str | os.PathLike[str], file: str | os.PathLike[str] | None = None) -> Universe:
     """An ``MDAnalysis.Universe`` of all states of a run, through an H5MD file that is written for it.
 
-    Atoms are the spheres in the order of ids, with ``ids``, ``masses`` and ``radii``; frames are the states, with
+    Atoms are the spheres in the order of ids, with ``ids``, ``masses`` and ``radii``, which are those of the present
+    frame where spheres grow; frames are the states, with
     positions, velocities and the box. **All numbers are in the units of the scenario**, whatever MDAnalysis calls them:
     its own lengths are in Å and times in ps, it knows no metre, and so nothing is converted.
 
@@ -43,15 +44,31 @@ def universe(run: Run | str | os.PathLike[str], file: str | os.PathLike[str] | N
     path.parent.mkdir(parents=True, exist_ok=True)
     # A file that a Universe of before still reads stays what it is.
     new = path.with_name(f".{path.name}.{os.getpid()}")
-    snapshots = java("java.util.ArrayList")([state.java for state in run.states()])
+    states = list(run.states())
+    snapshots = java("java.util.ArrayList")([state.java for state in states])
     try:
         with translated():
             java("daphnis.core.format.H5md").write(snapshots, java_path(new), __version__)
         os.replace(new, path)
     finally:
         new.unlink(missing_ok=True)
-    last = run.last()
+    last = states[-1]
     atoms: Any = MDAnalysis.Universe.empty(len(last), trajectory=False)
     for name, values in (("ids", last.id), ("masses", last.mass), ("radii", last.radius)):
         atoms.add_TopologyAttr(name, values)
-    return atoms.load_new(str(path), format="H5MD", convert_units=False)
+    universe: Universe = atoms.load_new(str(path), format="H5MD", convert_units=False)
+    if any((state.radius != last.radius).any() for state in states):
+        universe.trajectory.add_transformations(_Radii(universe, [state.radius for state in states]))
+    return universe
+
+
+class _Radii:
+    """Gives the atoms of a Universe the radii of the frame that is read."""
+
+    def __init__(self, universe: Universe, radii: list[Any]) -> None:
+        self.universe = universe
+        self.radii = radii
+
+    def __call__(self, frame: Any) -> Any:
+        self.universe.atoms.radii = self.radii[frame.frame]
+        return frame

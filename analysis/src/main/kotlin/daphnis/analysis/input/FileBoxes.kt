@@ -20,7 +20,7 @@ internal class FileBoxes(private val path: Path, private val states: List<Snapsh
     private val slide = Slide.of(path, states, hasTimes)
 
     /** Discs: nothing in the file is out of the plane z = 0, or moves out of it; of a few spheres that is chance. */
-    private val isFlat = states.all { it.size >= FEWEST_DISCS && it.isInPlane }
+    private val isFlat = states.all { it.isFlat || it.size >= FEWEST_DISCS && it.isInPlane }
     private val reach = Reach(states, isFlat)
 
     /** What a user should know of how images slide, and of spheres outside; a line each. */

@@ -17,7 +17,11 @@ import kotlin.math.sqrt
 
 class BondOrderTest {
     /** [cells] copies along each axis of a cell with the [edges] and the [sites], as shares of these. */
-    private fun crystal(edges: List<Double>, sites: List<List<Double>>, vararg cells: Int = intArrayOf(4, 4, 4)): State {
+    private fun crystal(
+        edges: List<Double>,
+        sites: List<List<Double>>,
+        vararg cells: Int = intArrayOf(4, 4, 4),
+    ): State {
         val all = ArrayList<DoubleArray>()
         for (i in 0 until cells[0]) {
             for (j in 0 until cells[1]) {

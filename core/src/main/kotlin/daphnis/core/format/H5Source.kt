@@ -120,7 +120,7 @@ internal class H5Source(private val path: Path) : AutoCloseable {
         checkSize(name, dataset)
         if (shape.any { it == 0L }) return if (type is FixedPoint) LongArray(0) else DoubleArray(0)
         if (dataset.isEmpty) fail(name, "holds none of the numbers it declares")
-        return dataset.dataFlat
+        return (dataset as? ChunkedDataset)?.let { MaskedChunks.numbers(it) } ?: dataset.dataFlat
     }
 
     /** Called before anything is read. */

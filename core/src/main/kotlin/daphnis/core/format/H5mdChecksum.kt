@@ -5,8 +5,8 @@ import java.util.zip.CRC32C
 
 /**
  * CRC-32C over everything that [H5md.read] reads from a file, in a fixed order: numbers big-endian, doubles by their
- * bits. HDF5's own checksums cover only parts of a file. What a file holds once, such as radii and faces, is taken from
- * the [first] state. The number of states comes first and is known last, so what follows it has a sum of its own.
+ * bits. HDF5's own checksums cover only parts of a file. What a file holds once, such as faces, is taken from the [first]
+ * state; radii and masses are again where they differ from those. The number of states comes first and is known last, so what follows it has a sum of its own.
  *
  * @param first the first state, which is not added by this
  */
@@ -15,6 +15,7 @@ internal class H5mdChecksum(first: Snapshot) {
     private val axes = intArrayOf(first.normalAxis, first.slideAxis)
     private val periodic = first.periodic
     private val size = first.size
+    private val fixed = H5md.FIXED.flatMap { first.columns(it) }
     private val plain = Sum()
 
     /** The sum with images; null from the first state on that does not know them. */
@@ -29,7 +30,7 @@ internal class H5mdChecksum(first: Snapshot) {
     init {
         sums {
             integers(first.id)
-            for (quantity in H5md.FIXED) for (column in first.columns(quantity)) numbers(column)
+            for (column in fixed) numbers(column)
             if (first.hasMaterials) {
                 numbers(first.material)
                 for (name in first.materials) integers(IntArray(name.length) { name[it].code })
@@ -46,6 +47,9 @@ internal class H5mdChecksum(first: Snapshot) {
             long(state.step)
             numbers(doubleArrayOf(state.time, state.shearOffset))
             if (hasEdges) numbers(state.lengths)
+        }
+        for ((k, column) in H5md.FIXED.flatMap { state.columns(it) }.withIndex()) {
+            if (!column.contentEquals(fixed[k])) sums { numbers(column) }
         }
         for (axis in 0..2) {
             for (quantity in H5md.CHANGING) state.columns(quantity).getOrNull(axis)?.let { sums { numbers(it) } }

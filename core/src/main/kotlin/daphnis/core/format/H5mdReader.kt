@@ -1,5 +1,6 @@
 package daphnis.core.format
 
+import io.jhdf.exceptions.UnsupportedHdfException
 import java.nio.file.Path
 
 /**
@@ -110,7 +111,9 @@ internal class H5mdReader(
         }
 
         private fun none(path: Path, e: Throwable): FormatException {
-            val causes = generateSequence(e) { it.cause }.take(MOST_CAUSES)
+            val all = generateSequence(e) { it.cause }.take(MOST_LOOKED_AT)
+            all.find { it is UnsupportedHdfException }?.let { return unsupported(path, it) }
+            val causes = all.take(MOST_CAUSES)
             val words = causes.map {
                 it.message.orEmpty().replace(CLASS, "").take(MOST_SHOWN)
             }.filter { it.isNotBlank() }
@@ -119,6 +122,14 @@ internal class H5mdReader(
             return FormatException("$path: is not an $kind: $problem")
         }
 
+        private fun unsupported(path: Path, e: Throwable): FormatException {
+            val what = e.message.orEmpty().take(MOST_SHOWN)
+            return FormatException("$path: is HDF5 of a kind that is not read: $what; $OLDER")
+        }
+
+        /** The way out for files of HDF5 2.0, whose chunks have a layout of version 5. */
+        private const val OLDER = "write it for HDF5 1.14 or older, as by h5py.File(…, libver=('earliest', 'v114'))"
+
         /** The class with which some messages begin, which tells a user nothing. */
         private val CLASS = Regex("""[\w.$]*(Exception|Error)(: )?""")
         private const val MOST_SHOWN = 120
@@ -126,5 +137,6 @@ internal class H5mdReader(
         /** What the library says of a file of another kind, or an empty one. */
         private const val NO_HDF5 = "No valid HDF5 signature"
         private const val MOST_CAUSES = 3
+        private const val MOST_LOOKED_AT = 20
     }
 }

@@ -11,8 +11,8 @@ import java.nio.ByteBuffer
 
 /**
  * Writes states of the same spheres into an H5MD file, one after the other. Of a state that was [added][add] only ids
- * are kept, which must be the same in all, and edges; its other numbers are in the file, or in a chunk that is not yet
- * full.
+ * are kept, which must be the same in all, edges, and masses and radii of the first one; its other numbers are in the
+ * file, or in a chunk that is not yet full.
  *
  * @param first the first state, which is not added by this
  * @param names names of units that every dataset gets; null for none
@@ -37,6 +37,11 @@ internal class H5mdWriter(
     private val edges = if (first.lengths.none { it.isNaN() }) H5mdEdges() else null
     private val changing = LinkedHashMap<SphereQuantity, GrowingDataset>()
 
+    /** Numbers that no state has changed yet, and those that some have. */
+    private val fixed = H5md.FIXED.associateWithTo(LinkedHashMap()) { first.columns(it)[0] }
+    private val changed = LinkedHashMap<SphereQuantity, GrowingDataset>()
+    private var count = 0
+
     /** Null from the first state on that does not know them. */
     private var image = if (first.size > 0 && first.image != null) vectors(Datatype.INT, 3) else null
 
@@ -58,9 +63,6 @@ internal class H5mdWriter(
                 element(quantity.title, value)
             }
             all.dataset("id", first.id)
-            for (quantity in H5md.FIXED) {
-                all.dataset(quantity.title, first.columns(quantity)[0]).unit(names?.of(quantity))
-            }
             if (first.hasMaterials) all.dataset(H5md.SPECIES, IntArray(first.size) { first.material[it].toInt() })
         }
         parameters = file.root.group("parameters")
@@ -121,11 +123,26 @@ internal class H5mdWriter(
             val columns = state.columns(quantity)
             value.append { buffer, from, until -> put(buffer, columns, from, until) }
         }
+        if (id.isNotEmpty()) for (quantity in H5md.FIXED) addNumbers(quantity, state.columns(quantity)[0])
+        count++
         val boxes = state.image
         if (boxes == null) image = null
         image?.append { buffer, from, until ->
             for (k in from until until) for (axis in 0..2) buffer.putInt(boxes!![axis][k])
         }
+    }
+
+    /** Once [numbers] are others than those of the states before, which were all the same, each state has its own. */
+    private fun addNumbers(quantity: SphereQuantity, numbers: DoubleArray) {
+        val before = fixed[quantity]
+        if (before != null) {
+            if (before.contentEquals(numbers)) return
+            fixed -= quantity
+            val value = vectors(Datatype.DOUBLE, 1).unit(names?.of(quantity))
+            changed[quantity] = value
+            repeat(count) { value.append { buffer, from, until -> put(buffer, listOf(before), from, until) } }
+        }
+        changed.getValue(quantity).append { buffer, from, until -> put(buffer, listOf(numbers), from, until) }
     }
 
     private fun put(buffer: ByteBuffer, columns: List<DoubleArray>, from: Int, until: Int) {
@@ -135,6 +152,10 @@ internal class H5mdWriter(
     /** Writes what is only known of all states. */
     @Throws(IOException::class)
     fun finish() {
+        if (id.isNotEmpty()) {
+            for ((quantity, numbers) in fixed) all.dataset(quantity.title, numbers).unit(names?.of(quantity))
+        }
+        for ((quantity, value) in changed) element(quantity.title, value)
         edges?.let { element("edges", it.dataset(file).unit(names?.length), box) }
         image?.let { element("image", it) }
         parameters.attribute(H5mdChecksum.ATTRIBUTE, checksum.value())

@@ -26,6 +26,7 @@ internal class LammpsDataReader(
     private val places = HashMap<Int, Int>()
     private val types = ArrayList<String>()
     private var isAtomic = false
+    private var hasSpins = false
 
     fun snapshot(): Snapshot {
         val step = title(lines.next() ?: throw FormatException("$path: is empty"))
@@ -141,12 +142,20 @@ internal class LammpsDataReader(
         for (k in 0 until n) {
             val cells = words.split(row(n, k))
             if (cells.size < VELOCITY_WIDTH) lines.fail("${cells.size} values; a velocity has id vx vy vz")
+            // Of other styles more columns mean other things.
+            val isSpinning = !isAtomic && cells.size == SPIN_WIDTH
+            if (k == 0) hasSpins = isSpinning
+            if (isSpinning != hasSpins) {
+                lines.fail("${cells.size} values; all lines have id vx vy vz, or all have wx wy wz behind")
+            }
             val at = places[words.id(cells[0])] ?: lines.fail("there is no atom ${TextLines.shown(cells[0])}")
             if (seen[at]) lines.fail("atom ${TextLines.shown(cells[0])} has a second velocity")
             seen[at] = true
             for (axis in 0..2) rows.velocity[axis][at] = words.number(cells[1 + axis])
+            if (hasSpins) for (axis in 0..2) rows[SphereQuantity.SPIN, axis][at] = words.number(cells[4 + axis])
         }
         rows.known += SphereQuantity.VELOCITY
+        if (hasSpins) rows.known += SphereQuantity.SPIN
         return section()
     }
 
@@ -209,5 +218,6 @@ internal class LammpsDataReader(
         const val SPHERE_PLACE = 4
         const val ATOMIC_PLACE = 2
         const val VELOCITY_WIDTH = 4
+        const val SPIN_WIDTH = 7
     }
 }

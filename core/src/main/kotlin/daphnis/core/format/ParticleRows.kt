@@ -55,19 +55,31 @@ internal class ParticleRows(private val size: Int) {
         for (axis in 0..2) if (shift[axis] != 0.0) for (k in 0 until size) position[axis][k] -= shift[axis]
         cell.normalAxis(fail)
         val lean = Lean.of(cell)
+        val lengths = cell.lengths
+        val periodic = cell.periodic.copyOf()
+        // In two dimensions LAMMPS has a box that repeats along z, however thin it is.
+        val isFlat = lean.normalAxis != 2 && periodic[2] && lengths[2] <= 2 * (radius.maxOrNull() ?: 0.0) && isInPlane()
+        if (isFlat) {
+            lengths[2] = Double.NaN
+            periodic[2] = false
+        }
         val isSorted = (1 until size).none { id[it] < id[it - 1] }
         val order = if (isSorted) IntArray(size) { it } else (0 until size).sortedBy { id[it] }.toIntArray()
         val said = species?.species(order, firstSpecies)
         val names = materials
         fun sorted(a: DoubleArray) = DoubleArray(size) { a[order[it]] }
         val snapshot = Snapshot(
-            step, time ?: step.toDouble(), cell.lengths, cell.periodic, lean.offset, IntArray(size) { id[order[it]] },
+            step, time ?: step.toDouble(), lengths, periodic, lean.offset, IntArray(size) { id[order[it]] },
             Array(numbers.size) { sorted(numbers[it]) }, lean.normalAxis, lean.slideAxis, known,
             image?.let { all -> Array(3) { axis -> IntArray(size) { all[axis][order[it]] } } }, time != null, shift,
-            hasId, species = said,
+            hasId, species = said, isFlat = isFlat,
         ).let { if (names == null || said == null) it else it.withMaterials(made(said, names, fail), names) }
         SnapshotCheck.check(snapshot) { k -> where(if (k < 0) k else order[k]) }
         return snapshot
+    }
+
+    private fun isInPlane() = (listOf(position[2], velocity[2]) + this[SphereQuantity.SPIN].take(2)).all { column ->
+        column.all { it == 0.0 }
     }
 
     private fun made(said: Species, names: List<String>, fail: (String) -> Nothing): IntArray = try {

@@ -20,7 +20,7 @@ import daphnis.core.population.optional
  * @property hasId whether [id] is from the file; false where particles are numbered in the order of the file
  * @property materials names of materials by number, as in [Population.materials]
  * @property species what the file says particles are made of, where nobody has said what materials that means
- * @property isFlat whether the file has no z, and so tells discs only; z is 0
+ * @property isFlat whether the file tells discs only, as it has no z, or a box that is too thin for spheres; z is 0
  * @property shift what a file's coordinates x, y, z had more than [position], whose box is centred on the origin
  */
 public class Snapshot internal constructor(
@@ -40,7 +40,7 @@ public class Snapshot internal constructor(
     public val hasId: Boolean = true,
     public val materials: List<String> = emptyList(),
     internal val species: Species? = null,
-    internal val isFlat: Boolean = false,
+    public val isFlat: Boolean = false,
 ) : SphereColumns {
     /**
      * @param hasMass whether [mass] is from the file; false when the file had none and the reader substituted one

@@ -114,7 +114,7 @@ internal class FileState(
     /** Discs are in the plane z = 0. */
     private fun requireInPlane(snapshot: Snapshot) {
         check.that(KEY, spec.path, space.isPlane || !snapshot.isFlat) {
-            "has no column 'z'; that is a table of discs, which need dimensions 2"
+            "has no z, or a box thinner than they are: these are discs, which need dimensions 2"
         }
         if (!space.isPlane) return
         for (place in OUT_OF_PLANE) {

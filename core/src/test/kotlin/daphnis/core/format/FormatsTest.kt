@@ -45,6 +45,35 @@ class FormatsTest {
     }
 
     @Test
+    fun `H5MD gives each state its own radii and masses where they change, and keeps them once where they do not`() {
+        fun grown(factor: Double, heavy: Double, step: Long) = Snapshot(
+            step, step.toDouble(), state.lengths, state.periodic, state.shearOffset, state.id, state.position,
+            state.velocity, DoubleArray(70) { factor * state.radius[it] }, DoubleArray(70) { heavy * state.mass[it] },
+        )
+        val file = home.resolve("growing.h5")
+        // The third state is the first one to differ; the last is as the first again.
+        val states = listOf(grown(1.0, 1.0, 5), grown(1.0, 1.0, 6), grown(1.5, 1.0, 7), grown(1.0, 1.0, 8))
+        H5md.write(states, file, "test", SiUnits(metres = 2.0, seconds = 1.0, kilograms = 1.0))
+        for ((written, read) in states.zip(H5md.read(file))) {
+            assertArrayEquals(DoubleArray(70) { 2 * written.radius[it] }, read.radius)
+            assertArrayEquals(written.mass, read.mass)
+        }
+        io.jhdf.HdfFile(file).use { h5 ->
+            val radius = h5.getDatasetByPath("/particles/all/radius/value")
+            assertEquals(listOf(4, 70), radius.dimensions.toList())
+            assertEquals("m", radius.getAttribute("unit").data)
+            assertEquals(
+                listOf(5L, 6, 7, 8),
+                (h5.getDatasetByPath("/particles/all/radius/step").data as LongArray).toList(),
+            )
+            assertEquals(4, (h5.getDatasetByPath("/particles/all/radius/time").data as DoubleArray).size)
+            assertEquals(listOf(70), h5.getDatasetByPath("/particles/all/mass").dimensions.toList())
+        }
+        H5md.write(listOf(grown(1.0, 1.0, 1), grown(1.0, 3.0, 2)), file, "test")
+        assertArrayEquals(grown(1.0, 3.0, 2).mass, H5md.read(file)[1].mass)
+    }
+
+    @Test
     fun `H5MD keeps boxes crossed, and reads files that do not say`() {
         val image = Array(3) { axis -> IntArray(70) { (it - 35) * (axis + 1) } }
         fun with(image: Array<IntArray>?, step: Long) = Snapshot(

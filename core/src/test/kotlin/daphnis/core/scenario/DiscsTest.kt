@@ -181,7 +181,7 @@ class DiscsTest {
         assertTrue(flat.notices.none { "velocities" in it }) { "${flat.notices}" }
         assertEquals(2 * PI * 0.25, ParticleCsv.population(directory.resolve("discs.csv"), 2.0).mass[1], 1e-15)
         val told = problem("box.lengths=[10,10,10]", "dimensions=3", text = text)
-        assertTrue("has no column 'z'; that is a table of discs" in told) { told }
+        assertTrue("these are discs, which need dimensions 2" in told) { told }
         for ((row, words) in listOf("3,0,1e-9,0,1,0,0.5" to "z = 1.0E-9", "3,0,0,0,1,-2,0.5" to "vz = -2.0")) {
             Files.writeString(directory.resolve("discs.csv"), "x,y,z,vx,vy,vz,radius\n0,0,0,1,0,0,0.5\n$row\n")
             val message = problem(text = text)

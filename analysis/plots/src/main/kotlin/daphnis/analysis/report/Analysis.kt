@@ -36,8 +36,8 @@ public class Analysis @JvmOverloads constructor(
         private set
 
     /**
-     * Writes into [directory], which exists: `tables/`, `plots/`, `report.html`. They appear there when all of them are
-     * done: until then, and if it ends otherwise, what was there stays as it was.
+     * Writes into [directory]: `tables/`, `plots/`, `report.html`. They appear there when all of them are done, and those
+     * of an earlier analysis go: until then, and if it ends otherwise, what was there stays as it was.
      *
      * @throws daphnis.core.format.FormatException when a state cannot be read
      */

@@ -14,8 +14,9 @@ import java.nio.file.StandardCopyOption.ATOMIC_MOVE
 import java.nio.file.StandardCopyOption.REPLACE_EXISTING
 
 /**
- * Files that appear in [directory] all together, at [keep]: until then they are in a hidden directory in it. What was
- * there before stays as it was if that never comes, also when the program is ended by a signal. A process that is killed
+ * Files that appear in [directory], which is made where there is none, all together, at [keep]: until then they are in a
+ * hidden directory in it. Those that were kept there before and are not among them go then: the file [LIST] says which.
+ * What was there before stays as it was if that never comes, also when the program is ended by a signal. A process that is killed
  * leaves its hidden directory, and the next one takes it away: a [RunLock] on each says whether somebody writes there.
  */
 internal class NewFiles(private val directory: Path) : AutoCloseable {
@@ -27,6 +28,7 @@ internal class NewFiles(private val directory: Path) : AutoCloseable {
     private val hook = Thread(::clear)
 
     init {
+        Files.createDirectories(directory)
         Links.check(directory, replaces = true)
         sweep()
         val (path, held) = make()
@@ -62,12 +64,19 @@ internal class NewFiles(private val directory: Path) : AutoCloseable {
         throw IOException("directories whose names begin with $PREFIX vanish as soon as they are made")
     }
 
-    /** Moves all files to the directory, each in the place of its predecessor; those in subdirectories come first. */
+    /**
+     * Moves all files to the directory, each in the place of its predecessor; those in subdirectories come first. What
+     * was kept before and is not among them is deleted.
+     */
     @Throws(IOException::class)
     @Synchronized
     fun keep() {
         val files = Files.walk(place).use { all -> all.filter(Files::isRegularFile).toList() }
             .filter { "${place.relativize(it)}" !in RunLock.FILES }
+        val names = files.map { "${place.relativize(it)}" }.sorted()
+        val old = listed() - names.toSet()
+        // Both, in case this process is killed on the way.
+        list(names + old)
         for (file in files.sortedWith(compareByDescending<Path> { it.nameCount }.thenBy { it })) {
             val target = directory.resolve(place.relativize(file))
             Files.createDirectories(target.parent)
@@ -78,6 +87,22 @@ internal class NewFiles(private val directory: Path) : AutoCloseable {
                 WholeFile.write(target) { Files.copy(file, it, REPLACE_EXISTING) }
             }
         }
+        for (name in old) Files.deleteIfExists(directory.resolve(name))
+        list(names)
+    }
+
+    /** Files in the directory that were kept there before. A line that leads elsewhere is nothing we wrote. */
+    private fun listed(): List<String> {
+        val list = directory.resolve(LIST)
+        if (!Files.isRegularFile(list, NOFOLLOW_LINKS)) return emptyList()
+        return Files.readAllLines(list).filter { name ->
+            val path = directory.resolve(name).normalize()
+            name.isNotEmpty() && path.startsWith(directory.normalize()) && Files.isRegularFile(path, NOFOLLOW_LINKS)
+        }
+    }
+
+    private fun list(names: List<String>) {
+        WholeFile.write(directory.resolve(LIST), names.joinToString("\n", postfix = "\n"))
     }
 
     /** Deletes what was not kept, and the directory too if there is nothing in it. */
@@ -118,9 +143,11 @@ internal class NewFiles(private val directory: Path) : AutoCloseable {
         }
     }
 
-    private companion object {
-        const val PREFIX = ".analysis-"
-        const val TRIES = 50
-        const val PAUSE_MILLISECONDS = 10L
+    companion object {
+        /** Name of the file with the names of those that were kept, a line each. */
+        const val LIST = ".report-files"
+        private const val PREFIX = ".analysis-"
+        private const val TRIES = 50
+        private const val PAUSE_MILLISECONDS = 10L
     }
 }

@@ -17,9 +17,9 @@ class NewFilesTest {
     @TempDir
     lateinit var folder: Path
 
-    /** All files below [path] with what they hold. */
+    /** All files below [path] with what they hold, but for their list. */
     private fun files(path: Path): Map<String, String> = Files.walk(path).use { all ->
-        all.filter(Files::isRegularFile).toList().associate {
+        all.filter { Files.isRegularFile(it) && !it.endsWith(NewFiles.LIST) }.toList().associate {
             "${path.relativize(it)}" to Files.readString(it, Charsets.ISO_8859_1)
         }
     }
@@ -37,7 +37,30 @@ class NewFilesTest {
         }
         val wanted = mapOf("report.html" to "after", "plots/a.svg" to "a", "plots/run.svg" to "of the run")
         assertEquals(wanted, files(folder))
-        assertEquals(2, Files.list(folder).use { it.count() })
+        assertEquals(3, Files.list(folder).use { it.count() })
+    }
+
+    @Test
+    fun `files that were kept before go, and no others, wherever their list leads`() {
+        val elsewhere = Files.createDirectory(folder.resolve("elsewhere"))
+        Files.writeString(elsewhere.resolve("precious.csv"), "precious")
+        val out = folder.resolve("deep/out")
+        fun keep(vararg names: String) = NewFiles(out).use { new ->
+            for (name in names) {
+                val file = new.place.resolve(name)
+                Files.createDirectories(file.parent)
+                Files.writeString(file, name)
+            }
+            new.keep()
+        }
+        keep("report.html", "tables/a.csv", "tables/b.csv", "plots/b.svg")
+        Files.writeString(out.resolve("tables/own.csv"), "of the user")
+        val list = out.resolve(NewFiles.LIST)
+        Files.writeString(list, Files.readString(list) + "../../elsewhere/precious.csv\n$elsewhere/precious.csv\n\n")
+        keep("report.html", "tables/a.csv", "tables/c.csv")
+        assertEquals(setOf("report.html", "tables/a.csv", "tables/c.csv", "tables/own.csv"), files(out).keys)
+        assertEquals(listOf("report.html", "tables/a.csv", "tables/c.csv"), Files.readAllLines(list))
+        assertEquals("precious", Files.readString(elsewhere.resolve("precious.csv")))
     }
 
     @Test
