@@ -79,8 +79,8 @@ public sealed class Neighbours {
             val diameter = 2 * (0 until p.size).filter { states[0].isParticle(it) }.map { p.radius[it] }.average()
             val farthest = minOf(FARTHEST * diameter, states.minOf { PairCorrelation.farthest(it.boundary) })
             require(farthest >= NEAREST * diameter) {
-                "the first minimum of g(r) is sought up to ${FARTHEST * diameter}; the box, by half its shortest edge, " +
-                    "has room for $farthest"
+                "the first minimum of g(r) is sought up to ${FARTHEST * diameter}; " +
+                    "the box, by half its shortest edge, has room for $farthest"
             }
             val pairs = PairCorrelation(farthest, (farthest / diameter * BINS).toInt().coerceAtLeast(3))
             val g = DoubleArray(pairs.bins)

@@ -21,8 +21,8 @@ class FilteredH5mdTest {
 
     @Test
     fun `chunks that went without some of their filters are read as they are`() {
-        // LZF and Fletcher-32 in chunks of 2 × 20 × 2, of which LZF made some no smaller; gzip with chunks
-        // written directly, also big-endian.
+        // LZF and Fletcher-32 in chunks of 2 × 20 × 2; shuffle and gzip with chunks that went without them,
+        // also big-endian.
         val states = H5md.read(file("masked.h5"))
         assertEquals(3, states.size)
         for ((t, state) in states.withIndex()) {
