@@ -10,7 +10,6 @@ import daphnis.analysis.statistics.BlockAverage
  * @property unknown why an average has no error; null when it has one, or is no average
  * @property key what it is called in `tables/numbers.csv` and among the [References]: lower case, and the same in every
  *   version, whatever the [name]; null for a number that stands on the page only
- * @property longer how many times the time averaged an error takes as a rule; NaN where there is one, or nothing tells
  * @property isOfChange whether it tells how the run changes, so that its error holds where the run is not steady
  */
 internal class NumberRow(
@@ -22,7 +21,6 @@ internal class NumberRow(
     val note: String = "",
     val unknown: Unknown? = null,
     val key: String? = null,
-    val longer: Double = Double.NaN,
     val isOfChange: Boolean = false,
 ) {
     /** Whether it is an average, not a number that follows from the particles themselves. */
@@ -65,8 +63,7 @@ internal class NumberRows(private val references: Map<String, Reference> = empty
     /** The average [a] in [unit]; without a [key] it stands on the page only. */
     fun average(key: String?, name: String, a: BlockAverage, unit: String, note: String = "") {
         val unknown = if (!a.isLevelled && !a.mean.isNaN()) Unknown.TOO_FEW else null
-        val longer = if (unknown == null) Double.NaN else AMPLE / a.independent
-        rows += NumberRow(name, a.mean, a.error, unit, references[key], note, unknown, key, longer)
+        rows += NumberRow(name, a.mean, a.error, unit, references[key], note, unknown, key)
     }
 
     /** A [value] without error, which follows from the particles themselves. */
@@ -80,9 +77,4 @@ internal class NumberRows(private val references: Map<String, Reference> = empty
     }
 
     fun list(): List<NumberRow> = rows
-
-    private companion object {
-        /** Independent numbers of which nearly every series gets an error, though it shows them roughly only. */
-        const val AMPLE = 3 * BlockAverage.FEWEST_INDEPENDENT
-    }
 }
