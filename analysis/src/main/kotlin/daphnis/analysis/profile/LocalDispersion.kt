@@ -26,7 +26,7 @@ import kotlin.math.sqrt
  * | c_xx, c_yy, c_zz | ⟨c_a²⟩ by mass, c around the mean flow of the near neighbours |
  * | c2 | the sum of the three |
  *
- * Neighbours are those up to [reach] in the x-y plane, whatever their height. Particles with fewer than two are left
+ * Neighbours are those up to [reach] in the x-y plane, whatever their height, unless z is periodic. Particles with fewer than two are left
  * out. NaN for fewer than [FEWEST_PAIRS] pairs in all states together.
  *
  * @param reach largest distance of a neighbour, a length
@@ -55,8 +55,9 @@ public class LocalDispersion @JvmOverloads constructor(public val reach: Double,
         return sums
     }
 
-    /** The same spheres as if all lay at one height; along x as if all lay on one line. */
+    /** The same spheres as if all lay at one height, unless space goes on there; along x as if all lay on one line. */
     private fun flat(state: State): State {
+        if (!isAlongX && state.boundary.hasImages(2)) return state
         val p = state.population
         fun middle(of: DoubleArray) = DoubleArray(p.size) { of[0] }
         val y = if (isAlongX) middle(p.y) else p.y
@@ -114,8 +115,8 @@ public class LocalDispersion @JvmOverloads constructor(public val reach: Double,
          */
         @JvmStatic
         public fun reach(state: State): Double {
-            val box = state.boundary.box
-            return minOf(wanted(state), MOST_OF_EDGE * minOf(box.length(0), box.length(1)))
+            val edges = (0..2).filter { it < 2 || state.boundary.hasImages(it) }
+            return minOf(wanted(state), MOST_OF_EDGE * edges.minOf { state.boundary.box.length(it) })
         }
 
         private fun wanted(state: State): Double {

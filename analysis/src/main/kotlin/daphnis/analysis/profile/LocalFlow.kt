@@ -57,13 +57,7 @@ internal class LocalFlow(
         return true
     }
 
-    private fun square(
-        i: Int,
-        v: DoubleArray,
-        terms: Int,
-        inverse: Array<DoubleArray>,
-        noise: DoubleArray,
-    ): Double {
+    private fun square(i: Int, v: DoubleArray, terms: Int, inverse: Array<DoubleArray>, noise: DoubleArray): Double {
         // Against that of i, so that a fast one loses no digits.
         val sums = DoubleArray(terms)
         for (j in noise.indices) {

@@ -27,10 +27,10 @@ internal class NumberRow(
     val isAverage: Boolean get() = !isOfChange && (!error.isNaN() || unknown != null)
 
     /**
-     * This average over a time in which the run was not steady: an error would say that more is known than is. That
-     * there are too few states for one then matters less: more of them would not help.
+     * This average without an error, for [why], such as a time in which the run was not steady: an error would say that
+     * more is known than is. That there are too few states for one then matters less: more of them would not help.
      */
-    fun unsteady(why: Unknown = Unknown.UNSTEADY): NumberRow =
+    fun without(why: Unknown): NumberRow =
         if (isAverage) NumberRow(name, value, Double.NaN, unit, reference, note, why, key) else this
 }
 
@@ -71,9 +71,10 @@ internal class NumberRows(private val references: Map<String, Reference> = empty
         rows += NumberRow(name, value, Double.NaN, unit, references[key], note, key = key)
     }
 
-    /** A [value] that tells how the run changes, and its standard [error]. */
+    /** A [value] that tells how the run changes, and its standard [error]; NaN where it is not known. */
     fun change(key: String?, name: String, value: Double, error: Double, unit: String, note: String = "") {
-        rows += NumberRow(name, value, error, unit, references[key], note, key = key, isOfChange = true)
+        val unknown = Unknown.TOO_FEW.takeIf { error.isNaN() && !value.isNaN() }
+        rows += NumberRow(name, value, error, unit, references[key], note, unknown, key, isOfChange = true)
     }
 
     fun list(): List<NumberRow> = rows

@@ -46,7 +46,7 @@ internal class SteadinessText(
 
     private fun steady(found: List<Pair<History, Steadiness>>, drifting: Int): List<String> {
         val (told, untold) = found.map { (history, drift) -> history.name to drift.largest / average(history) }
-            .partition { it.second <= MOST_MISSED }
+            .partition { !(it.second > MOST_MISSED) }
         val where = when {
             drifting == 0 && untold.isEmpty() -> "over the time averaged"
             untold.isNotEmpty() -> "in ${told.joinToString { it.first }}"
@@ -54,7 +54,13 @@ internal class SteadinessText(
             else -> "in the other quantities"
         }
         val missed = told.filter { it.second > ROUND_OFF }
-        val of = if (missed.isEmpty()) "" else " A smaller one than $PART may have been missed, $SURE: ${parts(missed)}."
+        val of = if (missed.isEmpty()) {
+            ""
+        } else {
+            " A smaller one than $PART may have been missed, $SURE: ${parts(
+                missed,
+            )}."
+        }
         return listOfNotNull(
             "No drift is seen $where.$of".takeIf { told.isNotEmpty() },
             "Whether it is steady cannot be told where a drift of $PART may have been missed, $SURE: ${parts(untold)}."

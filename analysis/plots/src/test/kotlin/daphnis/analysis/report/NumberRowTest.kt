@@ -12,7 +12,7 @@ class NumberRowTest {
         rows.average("b", "of few states", BlockAverage(2.0, Double.NaN, 4), "s")
         rows.exact("c", "of the particles", 2.0, "s")
         assertEquals(listOf(null, Unknown.TOO_FEW, null), rows.list().map { it.unknown })
-        val unsteady = rows.list().map { it.unsteady() }
+        val unsteady = rows.list().map { it.without(Unknown.UNSTEADY) }
         assertEquals(listOf(Unknown.UNSTEADY, Unknown.UNSTEADY, null), unsteady.map { it.unknown })
         assertEquals(listOf(true, true, true), unsteady.map { it.error.isNaN() && it.value == 2.0 })
     }

@@ -155,8 +155,9 @@ class SteadinessTextTest {
     }
 
     private companion object {
-        const val OPEN = "Whether it is steady cannot be told where a drift of this part of the average may have been " +
-            "missed, with 95 % confidence"
+        const val OPEN =
+            "Whether it is steady cannot be told where a drift of this part of the average may have been " +
+                "missed, with 95 % confidence"
         const val NONE = "No drift is seen over the time averaged. " +
             "A smaller one than this part of the average may have been missed, with 95 % confidence"
         val OTHER = NONE.replace("over the time averaged", "in the other quantity")
