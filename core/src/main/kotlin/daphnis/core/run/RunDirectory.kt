@@ -106,7 +106,9 @@ public class RunDirectory internal constructor(public val path: Path, internal v
         }
         val known = checksum(step)
         if (known != null && known != H5mdChecksum.of(listOf(snapshot))) {
-            throw FormatException("$file: is a state of another run than the one here; remove the file, or bring it back")
+            throw FormatException(
+                "$file: is a state of another run than the one here; remove the file, or bring it back",
+            )
         }
         return snapshot
     }

@@ -84,7 +84,10 @@ internal class SchemaCheck(private val source: String) {
 
     /** Which others of [types] have [key]; null when none has. */
     private fun elsewhere(key: String, types: SerialDescriptor?, path: String): String? {
-        val having = types?.names().orEmpty().filter { key in types!!.getElementDescriptor(types.getElementIndex(it)).names() }
+        val having = types?.names().orEmpty().filter {
+            key in
+                types!!.getElementDescriptor(types.getElementIndex(it)).names()
+        }
         if (having.isEmpty()) return null
         return "it is a key of type ${having.joinToString(" or ")}, so give $path.type=${having[0]} too"
     }

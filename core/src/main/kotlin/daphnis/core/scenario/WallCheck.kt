@@ -44,7 +44,9 @@ internal class WallCheck(
         val farthest = maxOf(radius, surface.origin.maxOf { abs(it) })
         val least = population.radius.minOrNull() ?: return
         check.must(key, Math.ulp(farthest) <= StartCheck.TOLERANCE * least) {
-            "a $surface, has lengths of $farthest, to which distances are known to ${Math.ulp(farthest)} only; that must " +
+            "a $surface, has lengths of $farthest, to which distances are known to ${Math.ulp(
+                farthest,
+            )} only; that must " +
                 "be at most ${StartCheck.TOLERANCE} of the smallest radius, $least; take nearer points, or a plane"
         }
     }
