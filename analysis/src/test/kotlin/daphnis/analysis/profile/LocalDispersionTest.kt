@@ -164,7 +164,7 @@ class LocalDispersionTest {
     }
 
     @Test
-    fun `in flat layers of several sizes each sphere counts by its mass, though only small ones lie over one another`() {
+    fun `in flat layers of several sizes each sphere counts by its mass, whatever lies over it`() {
         val random = SeededRandom(8)
         repeat(6) { draw ->
             val radii = List(2 + draw % 4) { random.nextDouble(0.7, 2.8) }
