@@ -96,7 +96,8 @@ class AnalyzeCommand : CliktCommand(name = "analyze") {
         val directory =
             out?.let { pathOf(it, "--out") }
                 ?: if (Files.isRegularFile(path)) path.resolveSibling("${path.fileName}-analysis") else path
-        val analysis = Analysis(input, AnalysisOptions(from, slabs ?: 0, groups ?: 0, elevation, frames, azimuth, light))
+        val analysis =
+            Analysis(input, AnalysisOptions(from, slabs ?: 0, groups ?: 0, elevation, frames, azimuth, light))
         val progress = if (quiet) AnalysisProgress { _, _, _ -> } else ShownProgress()
         LastWords { "analyze was interrupted; nothing was written to $directory" }.use {
             writingLater(directory) { analysis.write(directory, progress) }

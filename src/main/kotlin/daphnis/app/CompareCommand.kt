@@ -66,5 +66,4 @@ class CompareCommand : CliktCommand(name = "compare") {
         if (a?.stateDigest == null || a.stateDigest != b?.stateDigest) return ""
         return "; both end in the same state, digest ${a.stateDigest}"
     }
-
 }

@@ -95,7 +95,9 @@ internal data class RunCitation(
         /** @throws FormatException when [path] cannot be read or is none */
         fun read(path: Path): RunCitation = try {
             val tree = JSON.parseToJsonElement(PackedFile.text(path, LARGEST))
-            val digest = tree.must("stateDigest", "a digest of 64 hexadecimal digits") { it.text?.takeIf(DIGEST::matches) }
+            val digest = tree.must("stateDigest", "a digest of 64 hexadecimal digits") {
+                it.text?.takeIf(DIGEST::matches)
+            }
             RunCitation(
                 tree.must("daphnis", "a version of daphnis in quotes") { it.text },
                 tree.must("scenario", "a scenario, an object") { it as? JsonObject },

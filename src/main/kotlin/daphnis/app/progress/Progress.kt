@@ -6,6 +6,7 @@ import daphnis.app.printing.printLine
 import daphnis.core.Opening
 import daphnis.core.Output
 import daphnis.core.Simulation
+import java.util.Locale
 
 /**
  * Progress of a run to time [until]: one line that rewrites itself on a terminal, a plain line now and then elsewhere.
@@ -27,13 +28,17 @@ internal class Progress(
     private var isFirst = true
     private var collisionsBefore = 0L
     private var width = 0
+    private val slow = SlowStep(PATIENCE, ::tellSlow)
 
     override fun open(simulation: Simulation, opening: Opening) {
         pace = Pace(until)
+        if (!quiet) slow.begin(simulation.step + 1)
     }
 
     override fun write(simulation: Simulation) {
-        if (quiet || simulation.step == 0L) return
+        if (quiet) return
+        slow.begin(simulation.step + 1)
+        if (simulation.step == 0L) return
         val wallSeconds = pace.seconds()
         val collisions = simulation.collisions?.counters?.collisions ?: 0
         val left = pace.left(simulation.time)
@@ -53,6 +58,23 @@ internal class Progress(
         collisionsBefore = collisions
     }
 
+    private fun tellSlow(step: Long, seconds: Double) = aside(
+        "step $step has taken %.0f s so far; a shorter timeStep makes shorter steps".format(Locale.ROOT, seconds),
+    )
+
+    /** A line that stays, from any thread. */
+    @Synchronized
+    private fun aside(text: String) {
+        clear()
+        printLine(text)
+    }
+
+    private fun clear() {
+        if (width > 0) Overwritten.OUTPUT.clear(width, columnsFor(terminal))
+        width = 0
+    }
+
+    @Synchronized
     private fun show(line: ProgressLine) {
         if (!live) {
             printLine(line.text(Int.MAX_VALUE))
@@ -64,12 +86,18 @@ internal class Progress(
         width = text.length
     }
 
+    override fun finish(simulation: Simulation): Unit = slow.end()
+
     override fun close() {
-        if (live && width > 0) Overwritten.OUTPUT.clear(width, columnsFor(terminal))
+        slow.end()
+        clear()
     }
 
     private companion object {
         const val LIVE_SECONDS = 0.2
         const val PLAIN_SECONDS = 5.0
+
+        /** Nanoseconds. */
+        const val PATIENCE = 30_000_000_000
     }
 }

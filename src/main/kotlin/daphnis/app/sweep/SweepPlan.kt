@@ -84,7 +84,11 @@ internal class SweepPlan(val keys: List<SweptKey>, val seeds: List<Long>?) {
             if (path == SEED) throw InputException("--set", path, "is given by --seeds in a sweep")
             val values = parsed("--set", path) { ValueList.split(setting.substringAfter('=')) }
             if (path in WORDS && values.size > 1) {
-                throw InputException("--set", path, "has ${values.size} values, whose runs would all be the same; give one")
+                throw InputException(
+                    "--set",
+                    path,
+                    "has ${values.size} values, whose runs would all be the same; give one",
+                )
             }
             return SweptKey(path, values)
         }

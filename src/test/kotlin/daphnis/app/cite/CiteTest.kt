@@ -89,7 +89,12 @@ class CiteTest {
         val summary = home.resolve("gas/summary.json")
         val text = Files.readString(summary)
         Files.writeString(summary, text.replace("\"steps\": 5", "\"steps\": 6"))
-        for (command in listOf("cite", "reproduce")) assertRefused(daphnis(command, at("gas")), "is not what the run wrote")
+        for (command in listOf(
+            "cite",
+            "reproduce",
+        )) {
+            assertRefused(daphnis(command, at("gas")), "is not what the run wrote")
+        }
         Files.delete(summary)
         assertRefused(daphnis("cite", at("gas")), "has not finished", "resume ${at("gas")}")
         assertRefused(daphnis("reproduce", at("gas")), "has not finished")

@@ -24,8 +24,10 @@ internal class Greeter(
     private val threads: Int,
     private val courier: Courier,
     private val isMember: () -> Boolean,
-    private val say: (String) -> Unit,
+    say: (String) -> Unit,
 ) {
+    private val refusals = Refusals(say)
+
     /** What processes must have in common. */
     data class Build(val version: String, val protocol: Int) {
         override fun toString() = "daphnis $version with protocol $protocol"
@@ -55,9 +57,6 @@ internal class Greeter(
 
     /** Who has called, by session. */
     private val sessions = HashMap<Long, Peer>()
-
-    /** Refusals that were said, so that a process which tries again and again fills no screen. */
-    private val said = HashSet<String>()
 
     /** Is told of a member of a cluster that has called and knows the secret. Set before the desk begins. */
     var called: (Peer) -> Unit = {}
@@ -98,7 +97,8 @@ internal class Greeter(
     private fun answer(hello: Note.Hello) {
         val theirs = Build(hello.version, hello.protocol)
         if (theirs != build) {
-            refuse(hello.from, hello.nonce, "${hello.from.address} is $theirs, ${self.address} is $build")
+            val reason = "${hello.from.address} is $theirs, ${self.address} is $build"
+            refuse(hello.from, hello.nonce, reason, hasAnswered = false)
             return
         }
         // The same greeting twice is answered in the same words, or its two answers would not fit together.
@@ -134,7 +134,7 @@ internal class Greeter(
         val peer = answer.peer
         val handshake = answer.handshake
         if (!Secret.same(handshake.callersProof, proof.proof)) {
-            refuse(peer, proof.hello, otherSecret(peer, self))
+            refuse(peer, proof.hello, otherSecret(peer, self), hasAnswered = true)
             return
         }
         sessions[handshake.session] = peer
@@ -151,16 +151,17 @@ internal class Greeter(
         }
         // The caller has found the proof of this process wrong: only it can know, and its words are not repeated.
         val peer = answers.remove(ByteBuffer.wrap(refusal.hello))?.peer ?: return
-        sayOnce("refused ${peer.address}: ${otherSecret(peer, self)}")
+        refusals.refused(peer.address, otherSecret(peer, self), hasAnswered = true, System.nanoTime())
     }
 
-    private fun refuse(peer: Peer, hello: ByteArray, reason: String) {
-        sayOnce("refused ${peer.address}: $reason")
+    private fun refuse(peer: Peer, hello: ByteArray, reason: String, hasAnswered: Boolean) {
+        refusals.refused(peer.address, reason, hasAnswered, System.nanoTime())
         courier.send(peer.address, Note.Refusal(self, hello, reason))
     }
 
-    private fun sayOnce(line: String) {
-        if (said.size < MOST_SAID && said.add(line)) say(line)
+    /** Called now and then. */
+    fun tick() {
+        refusals.tick(System.nanoTime())
     }
 
     private fun call(hello: ByteArray) = calls.values.find { it.nonce.contentEquals(hello) }
@@ -172,6 +173,5 @@ internal class Greeter(
 
     private companion object {
         const val MOST_ANSWERS = 1000
-        const val MOST_SAID = 1000
     }
 }

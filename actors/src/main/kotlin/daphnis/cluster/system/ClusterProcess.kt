@@ -169,6 +169,7 @@ internal class ClusterProcess(
             // On a busy machine a tick may overtake the beginning.
             if (hasBegun) entrance.tick(System.nanoTime())
             party.tick()
+            greeter.tick()
         }
 
         override fun broken(e: Throwable) = lose("unexpected $e; this is a fault of daphnis")

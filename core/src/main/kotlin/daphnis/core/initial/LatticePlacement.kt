@@ -67,10 +67,12 @@ public class LatticePlacement @JvmOverloads constructor(
         val width = List(axes) { width(it, cells[it], radii.max(), box, walled) }
         val sites = cells[0].toLong() * cells[1] * cells[2] * lattice.basis.size
         // Of an infinite width there is one layer, which nothing stretches.
-        val edges = List(axes) { width[it] / lattice.shape[it] }.filter { it.isFinite() }
+        val upright = List(axes) { width[it] / lattice.shape[it] }.filter { it.isFinite() }
         // In the plane cells may lie along y as well.
-        val turned = List(axes) { width[it] * lattice.shape[it] }.takeIf { axes == 2 && edges.size == 2 } ?: edges
-        val stretch = listOf(edges, turned).minOf { (it.maxOrNull() ?: 1.0) / (it.minOrNull() ?: 1.0) }
+        val turned = if (upright.size == 2 && axes == 2) List(axes) { width[it] / lattice.shape[1 - it] } else null
+        fun stretch(edges: List<Double>) = (edges.maxOrNull() ?: 1.0) / (edges.minOrNull() ?: 1.0)
+        val edges = listOfNotNull(upright, turned).minBy(::stretch)
+        val stretch = stretch(edges)
         val empty = sites - wanted
         if (stretch <= MOST_STRETCH && empty <= MOST_EMPTY * sites) return null
         val name = lattice.name.lowercase().replace('_', ' ')

@@ -43,6 +43,19 @@ class LatticePlacementTest {
     }
 
     @Test
+    fun `the stretch of a lattice of discs is that of the better of its two ways to lie`() {
+        fun remark(n: Int) = LatticePlacement(Lattice.HEXAGONAL).remark(
+            DoubleArray(n) { 0.1 },
+            Box.flat(10.0, 10.0),
+            BooleanArray(3),
+        )
+        // 100 in a square lie in ten rows of ten, √3/2 apart where they should be: 1 : 2/√3.
+        val told = remark(100)!!
+        assertTrue("stretched 1.00 : 1.15" in told) { told }
+        assertNull(remark(56))
+    }
+
+    @Test
     fun `each sphere has the nearest neighbours of its lattice, at the distance of theirs`() {
         val cube = Box.centred(8.0, 8.0, 8.0)
         fun check(lattice: Lattice, n: Int, box: Box, distance: Double, count: Int) {

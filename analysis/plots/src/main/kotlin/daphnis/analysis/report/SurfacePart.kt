@@ -108,7 +108,7 @@ internal class SurfacePart(private val study: Study) : Part {
         val critical = study.bulk.criticalWavelength
         if (critical.isNaN()) return
         val name = "radial spacing over Toomre's critical wavelength"
-        rows.average(null, name, spacing * (1 / critical), "", "4π² G Σ/Ω²")
+        rows.average(null, name, spacing * (1 / critical), "", "4π² G Σ/κ²")
     }
 
     /** How many critical wavelengths the patch is long, with self-gravity. */
