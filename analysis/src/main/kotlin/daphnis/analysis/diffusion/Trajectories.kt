@@ -12,7 +12,7 @@ public sealed interface Coordinate {
     public fun of(snapshot: Snapshot, index: Int): Double
 
     /** Position along [axis] (0 = x, 1 = y, 2 = z): of a periodic axis along which nothing flows. */
-    public class Position(private val axis: Int) : Coordinate {
+    public class Position(internal val axis: Int) : Coordinate {
         override val name: String = "xyz"[axis].toString()
 
         override fun of(snapshot: Snapshot, index: Int): Double =
@@ -48,13 +48,20 @@ public sealed interface Coordinate {
 
 /**
  * Positions of particles at many times, unwrapped and relative to their centre of mass, so that a common drift is no
- * displacement. Keeps 8 bytes for each particle, coordinate and time.
+ * displacement. Nor is what moves with the edges of a box that changes: along a periodic axis a displacement is that of
+ * the place in edges of the box, times the mean edge of both times. Keeps 8 bytes for each particle, coordinate and time,
+ * and 16 more for each particle and coordinate.
  *
  * @param ids of the particles, ascending; they must be in every snapshot
  */
 public class Trajectories(public val coordinates: List<Coordinate>, private val ids: IntArray) {
     private val times = ArrayList<Double>()
     private val rows = ArrayList<Array<DoubleArray>>()
+
+    /** By coordinate: places in the last state, its edge, and what changes of the edge have moved since the first. */
+    private val places = arrayOfNulls<DoubleArray>(coordinates.size)
+    private val edges = DoubleArray(coordinates.size)
+    private val moved = Array(coordinates.size) { DoubleArray(ids.size) }
 
     /** Number of particles. */
     public val particles: Int get() = ids.size
@@ -94,10 +101,28 @@ public class Trajectories(public val coordinates: List<Coordinate>, private val 
         times += snapshot.time
         rows += Array(coordinates.size) { c ->
             val values = DoubleArray(indices.size) { coordinates[c].of(snapshot, indices[it]) }
+            withoutBox(c, snapshot, values)
             var centre = 0.0
             for (k in indices.indices) centre += snapshot.mass[indices[k]] * values[k]
             for (k in values.indices) values[k] -= centre / mass
             values
         }
+    }
+
+    /** Takes out of [values], places along coordinate [c], what changes of the edge along it have moved. */
+    private fun withoutBox(c: Int, snapshot: Snapshot, values: DoubleArray) {
+        val axis = (coordinates[c] as? Coordinate.Position)?.axis ?: return
+        val edge = if (snapshot.periodic[axis]) snapshot.lengths[axis] else Double.NaN
+        val before = places[c]
+        if (before != null && edge > 0 && edges[c] > 0 && edge != edges[c]) {
+            val mean = (edge + edges[c]) / 2
+            for (k in values.indices) {
+                val own = (values[k] / edge - before[k] / edges[c]) * mean
+                moved[c][k] += values[k] - before[k] - own
+            }
+        }
+        places[c] = values.copyOf()
+        edges[c] = edge
+        for (k in values.indices) values[k] -= moved[c][k]
     }
 }
