@@ -106,13 +106,18 @@ def test_a_notebook_ends_with_an_open_view(ring: daphnis.Run) -> None:
     kernel = client.NotebookClient(notebook, timeout=PATIENCE, kernel_name="python3", shutdown_kernel="graceful")
     manager = kernel.create_kernel_manager()
     killed = []
-    for name in ("_async_send_kernel_sigterm", "_async_kill_kernel"):
 
-        async def noted(*_: object, end: Any = getattr(manager, name), **__: object) -> None:
-            killed.append(end.__name__)
+    def noted(name: str) -> Any:
+        end = getattr(manager, name)
+
+        async def call(*_: object, **__: object) -> None:
+            killed.append(name)
             await end()
 
-        setattr(manager, name, noted)
+        return call
+
+    for name in ("_async_send_kernel_sigterm", "_async_kill_kernel"):
+        setattr(manager, name, noted(name))
     kernel.execute()
     (output,) = notebook.cells[0].outputs
     assert "<iframe" in output["data"]["text/html"]
