@@ -19,8 +19,7 @@ def universe(run: Run | str | os.PathLike[str], file: str | os.PathLike[str] | N
     """An ``MDAnalysis.Universe`` of all states of a run, through an H5MD file that is written for it.
 
     Atoms are the spheres in the order of ids, with ``ids``, ``masses`` and ``radii``, which are those of the present
-    frame where spheres grow; frames are the states, with
-    positions, velocities and the box. **All numbers are in the units of the scenario**, whatever MDAnalysis calls them:
+    frame where spheres grow; frames are the states, with positions, velocities and the box. **All numbers are in the units of the scenario**, whatever MDAnalysis calls them:
     its own lengths are in Å and times in ps, it knows no metre, and so nothing is converted.
 
     MDAnalysis and h5py must be installed. MDAnalysis keeps numbers of 32 bits; the file has those of 64 bits. All
@@ -55,7 +54,8 @@ def universe(run: Run | str | os.PathLike[str], file: str | os.PathLike[str] | N
     last = states[-1]
     atoms: Any = MDAnalysis.Universe.empty(len(last), trajectory=False)
     for name, values in (("ids", last.id), ("masses", last.mass), ("radii", last.radius)):
-        atoms.add_TopologyAttr(name, values)
+        # A copy: the Universe writes into what it is given.
+        atoms.add_TopologyAttr(name, values.copy())
     universe: Universe = atoms.load_new(str(path), format="H5MD", convert_units=False)
     if any((state.radius != last.radius).any() for state in states):
         universe.trajectory.add_transformations(_Radii(universe, [state.radius for state in states]))
