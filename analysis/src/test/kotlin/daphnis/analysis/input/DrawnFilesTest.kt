@@ -119,13 +119,19 @@ class DrawnFilesTest {
             followed.add(input.snapshot(k))
         }
         val mass = input.snapshot(0).mass
-        for (k in 0 until t.frames) {
-            for ((c, axis) in axes.withIndex()) {
-                fun relative(f: Int) = t.place[f][axis].let { x ->
-                    val mean = x.indices.sumOf { x[it] * mass[it] } / mass.sum()
-                    DoubleArray(t.count) { x[it] - mean }
+        for ((c, axis) in axes.withIndex()) {
+            fun relative(f: Int) = t.place[f][axis].let { x ->
+                val mean = x.indices.sumOf { x[it] * mass[it] } / mass.sum()
+                DoubleArray(t.count) { (x[it] - mean) / t.edge(f, axis) }
+            }
+            // What moves with the edges of a box is no displacement.
+            val moved = DoubleArray(t.count)
+            for (k in 0 until t.frames) {
+                if (k > 0) {
+                    val edge = (t.edge(k - 1, axis) + t.edge(k, axis)) / 2
+                    val (before, now) = relative(k - 1) to relative(k)
+                    for (i in moved.indices) moved[i] += (now[i] - before[i]) * edge
                 }
-                val moved = DoubleArray(t.count) { relative(k)[it] - relative(0)[it] }
                 val read = DoubleArray(t.count) { followed.at(k, c)[it] - followed.at(0, c)[it] }
                 assertArrayEquals(moved, read, 1e-7) { "displacement along $axis to frame $k" }
             }

@@ -6,8 +6,8 @@ import java.nio.file.Path
 
 /**
  * The data file that LAMMPS reads with `read_data` and writes with `write_data`: one state, atoms of style `sphere`
- * (radii and densities; spins behind the velocities) or `atomic` (masses by type, no radii). Along an axis without bounds the box is open. The file
- * does not say whether it is periodic; that is taken, as it is LAMMPS' default.
+ * (radii and densities; spins behind the velocities) or `atomic` (masses by type, no radii). Along an axis without
+ * bounds the box is open. The file does not say whether it is periodic; that is taken, as it is LAMMPS' default.
  */
 public object LammpsData : ReadableFormat {
     override val title: String = "LAMMPS data"
