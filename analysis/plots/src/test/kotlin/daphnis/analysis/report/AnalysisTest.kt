@@ -384,7 +384,7 @@ class AnalysisTest {
         Analysis(AnalysisInput.ofFile(file, null, "")).write(out)
         val html = Files.readString(out.resolve("report.html"))
         assertTrue("1 sphere." in html && "1 spheres" !in html)
-        assertTrue(">The patch</h2>" in html)
+        assertTrue(">The box</h2>" in html)
         for (heading in listOf("Profiles", "Velocity ellipsoid", "Structure", "Occultation")) {
             assertFalse(">$heading</h2>" in html) { heading }
             assertTrue("<li>$heading: there is 1 particle; it takes 10 at least.</li>" in html) { heading }
