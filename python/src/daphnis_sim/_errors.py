@@ -152,7 +152,9 @@ def of(e: Any) -> DaphnisError:
         error = RunError(
             f"unexpected {_last(name)}: {message}; this is a fault of daphnis, .java.stacktrace() says where"
         )
-    error.args = (" ".join(str(error).split("\n")),)
+    # Numbers as they are typed in Python: 1e12, not 1.0E12.
+    text = re.sub(r"(?<![\w.])(\d+(?:\.\d*[1-9])?)(?:\.0)?E(-?\d+)\b", r"\1e\2", str(error))
+    error.args = (" ".join(text.split("\n")),)
     error.java = e
     return error
 

@@ -15,6 +15,9 @@ import kotlin.math.sin
  * - S(0) / (1 + (j/c)²): fluctuations that are forgotten in n/(2πc) numbers;
  * - S(0) (1 + (j/c)²): what one number adds others take away again.
  *
+ * An oscillation of some more than [FREQUENCIES] periods leaks into the highest of them, which looks like the second. So
+ * where that is chosen S(0) is the larger one of it and of what the lower half of the ordinates gives by itself.
+ *
  * @property atZero S(0), in the squared unit of the series
  * @property independent numbers that are independent by the first curve, π c; infinite for the others
  */
@@ -62,8 +65,17 @@ internal class LowFrequencies private constructor(val atZero: Double, val indepe
                 val left = if (isStraightened) 1 - 3 / (PI * (it + 1) * PI * (it + 1)) else 1.0
                 ordinate(series, it + 1) / left
             }
+            val (found, rises) = fitted(ordinates)
+            if (!rises) return found
+            val lower = fitted(ordinates.copyOf((ordinates.size + 1) / 2)).first
+            return LowFrequencies(maxOf(found.atZero, lower.atZero), found.independent)
+        }
+
+        /** The likeliest curve through [ordinates], and whether it is one that rises. */
+        private fun fitted(ordinates: DoubleArray): Pair<LowFrequencies, Boolean> {
             var best = LowFrequencies(ordinates.average(), Double.POSITIVE_INFINITY)
-            if (best.atZero == 0.0) return best
+            var rises = false
+            if (best.atZero == 0.0) return best to rises
             var least = ordinates.size * ln(best.atZero)
             for (corner in CORNERS) {
                 for (falls in BOTH) {
@@ -78,10 +90,11 @@ internal class LowFrequencies private constructor(val atZero: Double, val indepe
                     val unlikely = ln(shapes) + ordinates.size * ln(level) + if (falls) FALLING else RISING
                     if (unlikely >= least) continue
                     least = unlikely
+                    rises = !falls
                     best = LowFrequencies(level, if (falls) PI * corner else Double.POSITIVE_INFINITY)
                 }
             }
-            return best
+            return best to rises
         }
 
         /** |Σ x_k exp(2πi j k/n)|²/n, by turning a pointer from number to number. */

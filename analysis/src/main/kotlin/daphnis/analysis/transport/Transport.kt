@@ -3,6 +3,7 @@ package daphnis.analysis.transport
 import daphnis.analysis.profile.VelocityEllipsoid
 import daphnis.analysis.statistics.BlockAverage
 import daphnis.core.run.TransportColumns
+import daphnis.core.run.TransportColumns.CENTRE_Z
 import daphnis.core.run.TransportColumns.COLLISIONS
 import daphnis.core.run.TransportColumns.DISSIPATED
 import daphnis.core.run.TransportColumns.GRAVITY_XY
@@ -11,6 +12,7 @@ import daphnis.core.run.TransportColumns.PARTICLES
 import daphnis.core.run.TransportColumns.SCALE_HEIGHT
 import daphnis.core.run.TransportColumns.SUM_IMPACT_SPEED
 import daphnis.core.run.TransportColumns.TIME
+import daphnis.core.run.TransportColumns.WALL_WORK
 import daphnis.core.run.TransportColumns.virial
 import daphnis.core.space.Space
 import daphnis.core.table.Column
@@ -160,6 +162,23 @@ public class Transport @JvmOverloads constructor(
             if (it[3] == 0.0) Double.NaN else (it[0] + it[1] + it[2]) / it[3]
         } *
             (toViscosity * shearRate * shearRate)
+
+    /**
+     * Energy that walls give over what is dissipated: 1 in a steady state; null for a table without the work of walls,
+     * NaN without dissipation. Work less dissipation adds up to the change of the energy, so the error is that of this
+     * change. There is none where the energy, kinetic or of height, is too slow for one of its own average.
+     */
+    public val wallBalance: BlockAverage?
+        get() {
+            if (WALL_WORK !in table) return null
+            val kinetic = energies()[0]
+            val height = potential?.takeIf { energies -> energies.all { it.isFinite() } } ?: table[CENTRE_Z]
+            val found = average(added(WALL_WORK, MASS), added(DISSIPATED, MASS), state = energies() + height) {
+                if (it[1] == 0.0) Double.NaN else it[0] / it[1]
+            }
+            val isKnown = BlockAverage.of(kinetic).isLevelled && BlockAverage.of(height).isLevelled
+            return if (isKnown) found else found.withoutError()
+        }
 
     /** Pressure tensor times volume over mass, by component: ⟨w_a w_b⟩ + Σ Δp_a δ_b / (M T). */
     public fun pressure(component: String): BlockAverage =

@@ -54,7 +54,7 @@ internal class LeastSquares private constructor(
         }
 
         /** Inverse and determinant of a positive matrix, by Gauss and Jordan; null where it is none. */
-        private fun inverse(a: Array<DoubleArray>): Pair<Array<DoubleArray>, Double>? {
+        fun inverse(a: Array<DoubleArray>): Pair<Array<DoubleArray>, Double>? {
             val k = a.size
             val inverse = Array(k) { i -> DoubleArray(k) { if (i == it) 1.0 else 0.0 } }
             var determinant = 1.0

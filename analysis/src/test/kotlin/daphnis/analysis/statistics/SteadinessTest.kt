@@ -5,7 +5,9 @@ import daphnis.core.initial.SeededRandom
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import kotlin.math.PI
 import kotlin.math.abs
+import kotlin.math.cos
 import kotlin.math.exp
 import kotlin.math.sqrt
 
@@ -43,6 +45,21 @@ class SteadinessTest {
         )) {
             val alarms = drifting(n, memory, 1.0) { 0.0 }
             assertTrue(alarms <= most * REALISATIONS) { "$n numbers, memory $memory: $alarms of $REALISATIONS" }
+        }
+    }
+
+    @Test
+    fun `an oscillation of any period raises no false alarms, also one of just more periods than are looked at`() {
+        // With S(0) by the twelve ordinates alone some 30 % at 12 periods.
+        for ((n, periods) in listOf(300 to 12.0, 300 to 13.0, 116 to 12.0, 116 to 14.5, 116 to 40.6, 300 to 6.0)) {
+            val random = SeededRandom(11)
+            val alarms = (0 until REALISATIONS).count {
+                val a = noise(n, 0.0, random)
+                val phase = 2 * PI * random.nextDouble()
+                Steadiness.of(DoubleArray(n) { a[it] + 2 * cos(2 * PI * periods * it / n + phase) }).verdict ==
+                    Verdict.DRIFTING
+            }
+            assertTrue(alarms <= 0.08 * REALISATIONS) { "$n numbers, $periods periods: $alarms of $REALISATIONS" }
         }
     }
 

@@ -5,6 +5,7 @@ import daphnis.core.format.FormatException
 import daphnis.core.initial.SeededRandom
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
+import org.junit.jupiter.api.Assertions.assertNull
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
@@ -162,6 +163,32 @@ class TransportTest {
         assertThrows(IllegalArgumentException::class.java) {
             Transport(attracting(DoubleArray(9)), -3.0, DoubleArray(8))
         }
+    }
+
+    /** Of grains whose walls give 45 and what their [energy] takes, per unit of time, in 10 of mass. */
+    private fun walled(energy: DoubleArray): TransportTable {
+        val rows = energy.indices.map { t ->
+            "$t,$t,10,10,${energy[t] / 5},0,0,0,0,0,0,0,0,${energy[t] / 10},1.5,0,${5 * t},${2.5 * t},${45 * t}," +
+                "0,0,0,0,0,0,0,${45 * t + 2 * energy[t]}"
+        }
+        return TransportTable.read(file().also { Files.write(it, listOf("$header,wall_work") + rows) })
+    }
+
+    @Test
+    fun `what walls give over what is dissipated is known as well as the energy is steady`() {
+        val random = SeededRandom(32)
+        fun energy(memory: Double): DoubleArray {
+            val keep = Math.exp(-1 / memory)
+            var e = random.nextGaussian()
+            return DoubleArray(120) { e.also { e = keep * e + sqrt(1 - keep * keep) * random.nextGaussian() } + 50 }
+        }
+        val balances = List(REALISATIONS) { Transport(walled(energy(2.0)), 0.0).wallBalance!! }.filter { it.isLevelled }
+        val covered = balances.count { Math.abs(it.mean - 1) <= it.error }.toDouble() / balances.size
+        assertTrue(balances.size > 0.9 * REALISATIONS && covered in 0.60..0.75) { "$covered of ${balances.size}" }
+        // Of what sloshes as slowly as the run is long the change is one of chance that is seen once.
+        val slow = List(100) { Transport(walled(energy(60.0)), 0.0).wallBalance!! }
+        assertTrue(slow.count { it.isLevelled } < 20 && slow.none { it.mean.isNaN() })
+        assertNull(Transport(attracting(DoubleArray(20)), -3.0).wallBalance)
     }
 
     @Test

@@ -56,9 +56,8 @@ internal class BoxNumbers(private val study: Study) {
             val name = "compressibility p ${if (space.isPlane) "A" else "V"} / (M T)"
             rows.average("compressibility", name, transport.compressibility, "")
         }
-        DrivenWalls.work(study)?.let {
-            val note = "since averages begin; 1 in a steady state"
-            rows.change("wall_work_over_dissipation", "work of walls over dissipation", it, Double.NaN, "", note)
+        transport.wallBalance?.takeUnless { it.mean.isNaN() }?.let {
+            rows.average("wall_work_over_dissipation", "work of walls over dissipation", it, "", "1 in a steady state")
         }
         if (flow != null && flow.rate != 0.0) sheared(transport, flow.rate)
         atRest()

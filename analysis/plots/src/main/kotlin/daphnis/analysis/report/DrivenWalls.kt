@@ -1,7 +1,5 @@
 package daphnis.analysis.report
 
-import daphnis.core.run.TransportColumns.DISSIPATED
-import daphnis.core.run.TransportColumns.WALL_WORK
 import daphnis.core.scenario.BoundarySpec
 import daphnis.core.scenario.ForceSpec
 import daphnis.core.scenario.Scenario
@@ -18,13 +16,6 @@ internal object DrivenWalls {
         return forces.any { force ->
             (0 until study.last.dimensions).any { force.acceleration[it] != 0.0 && !study.last.boundary.hasImages(it) }
         }
-    }
-
-    /** Energy that walls gave over what collisions took, since averages begin; null where no row says so. */
-    fun work(study: Study): Double? {
-        val rows = study.input.transport?.from(study.from)?.takeIf { it.size >= 2 && WALL_WORK in it } ?: return null
-        val taken = rows[DISSIPATED].let { it.last() - it.first() }
-        return if (taken > 0) rows[WALL_WORK].let { it.last() - it.first() } / taken else null
     }
 
     /** One line for each output that always falls into the same part of the cycle of a wall. */

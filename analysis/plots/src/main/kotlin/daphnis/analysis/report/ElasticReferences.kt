@@ -73,9 +73,9 @@ internal object ElasticReferences {
     }
 
     private fun ofCrystal(p: Population, filling: Double, temperature: Double): Map<String, Reference> {
-        val z = HardSpheres.speedy(filling)
-        // That of few spheres is smaller by about 1/N, as the free volume theory has it.
-        return ofSpheres(p, filling, temperature, z, hypot(HardSpheres.SPEEDY_ACCURACY * z, z / p.size), SPEEDY)
+        // N spheres have N − 1 free volumes.
+        val z = HardSpheres.speedy(filling) * (1 - 1.0 / p.size)
+        return ofSpheres(p, filling, temperature, z, HardSpheres.SPEEDY_ACCURACY * z, SPEEDY)
     }
 
     /**

@@ -41,9 +41,20 @@ internal class Judgement(
     /** [errors] of averages, NaN where the run drifts. */
     fun errors(errors: DoubleArray): DoubleArray = if (isDrifting) DoubleArray(errors.size) { Double.NaN } else errors
 
-    /** [rows] as they are shown: averages over a time in which they, or the run, drift have no error. */
-    fun shown(rows: List<NumberRow>): List<NumberRow> =
-        rows.map { if (isDrifting || it.key in drifting) it.unsteady(why) else it }
+    /**
+     * [rows] as they are shown: averages over a time in which they, or the run, drift have no error. Nor have those
+     * that follow the temperature of a box where this changes too slowly for an error of its own (docs/adr/0181).
+     */
+    fun shown(rows: List<NumberRow>): List<NumberRow> {
+        val isSlow = rows.any { it.key == RunHistory.TEMPERATURE && it.unknown == Unknown.TOO_FEW }
+        return rows.map {
+            when {
+                isDrifting || it.key in drifting -> it.without(why)
+                isSlow && !it.error.isNaN() && RunHistory.followsTemperature(it.key) -> it.without(Unknown.TOO_FEW)
+                else -> it
+            }
+        }
+    }
 
     /** Whether nothing is averaged, since no time of the run is like another. */
     private val isOfOne get() = isChanging && states == 1

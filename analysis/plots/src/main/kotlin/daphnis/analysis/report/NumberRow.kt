@@ -10,7 +10,6 @@ import daphnis.analysis.statistics.BlockAverage
  * @property unknown why an average has no error; null when it has one, or is no average
  * @property key what it is called in `tables/numbers.csv` and among the [References]: lower case, and the same in every
  *   version, whatever the [name]; null for a number that stands on the page only
- * @property longer how many times the time averaged an error takes as a rule; NaN where there is one, or nothing tells
  * @property isOfChange whether it tells how the run changes, so that its error holds where the run is not steady
  */
 internal class NumberRow(
@@ -22,17 +21,16 @@ internal class NumberRow(
     val note: String = "",
     val unknown: Unknown? = null,
     val key: String? = null,
-    val longer: Double = Double.NaN,
     val isOfChange: Boolean = false,
 ) {
     /** Whether it is an average, not a number that follows from the particles themselves. */
     val isAverage: Boolean get() = !isOfChange && (!error.isNaN() || unknown != null)
 
     /**
-     * This average over a time in which the run was not steady: an error would say that more is known than is. That
-     * there are too few states for one then matters less: more of them would not help.
+     * This average without an error, for [why], such as a time in which the run was not steady: an error would say that
+     * more is known than is. That there are too few states for one then matters less: more of them would not help.
      */
-    fun unsteady(why: Unknown = Unknown.UNSTEADY): NumberRow =
+    fun without(why: Unknown): NumberRow =
         if (isAverage) NumberRow(name, value, Double.NaN, unit, reference, note, why, key) else this
 }
 
@@ -65,8 +63,7 @@ internal class NumberRows(private val references: Map<String, Reference> = empty
     /** The average [a] in [unit]; without a [key] it stands on the page only. */
     fun average(key: String?, name: String, a: BlockAverage, unit: String, note: String = "") {
         val unknown = if (!a.isLevelled && !a.mean.isNaN()) Unknown.TOO_FEW else null
-        val longer = if (unknown == null) Double.NaN else AMPLE / a.independent
-        rows += NumberRow(name, a.mean, a.error, unit, references[key], note, unknown, key, longer)
+        rows += NumberRow(name, a.mean, a.error, unit, references[key], note, unknown, key)
     }
 
     /** A [value] without error, which follows from the particles themselves. */
@@ -74,15 +71,11 @@ internal class NumberRows(private val references: Map<String, Reference> = empty
         rows += NumberRow(name, value, Double.NaN, unit, references[key], note, key = key)
     }
 
-    /** A [value] that tells how the run changes, and its standard [error]. */
+    /** A [value] that tells how the run changes, and its standard [error]; NaN where it is not known. */
     fun change(key: String?, name: String, value: Double, error: Double, unit: String, note: String = "") {
-        rows += NumberRow(name, value, error, unit, references[key], note, key = key, isOfChange = true)
+        val unknown = Unknown.TOO_FEW.takeIf { error.isNaN() && !value.isNaN() }
+        rows += NumberRow(name, value, error, unit, references[key], note, unknown, key, isOfChange = true)
     }
 
     fun list(): List<NumberRow> = rows
-
-    private companion object {
-        /** Independent numbers of which nearly every series gets an error, though it shows them roughly only. */
-        const val AMPLE = 3 * BlockAverage.FEWEST_INDEPENDENT
-    }
 }

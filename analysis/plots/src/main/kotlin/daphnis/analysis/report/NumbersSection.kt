@@ -22,7 +22,7 @@ internal class NumbersSection(private val study: Study, private val others: List
         val notes = ArrayList<String>()
         if (rows.any { !it.error.isNaN() }) {
             notes +=
-                "± is one standard error; numbers without it and without a mark follow from the particles themselves."
+                "± is one standard error; numbers without it and without a mark follow from the particles and the box themselves."
             if (areSizesDrawn()) notes += DRAWN
         }
         val source = if (study.input.scenario == null) "file" else "scenario"

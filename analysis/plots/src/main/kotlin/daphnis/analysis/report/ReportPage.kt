@@ -5,7 +5,6 @@ import daphnis.core.format.oneLine
 import java.util.Base64
 import java.util.Locale
 import kotlin.math.abs
-import kotlin.math.ceil
 
 /**
  * One HTML page with everything inside: pictures as data, style in the head, no script. Sections are numbered in their
@@ -74,15 +73,8 @@ internal class ReportPage(private val title: String) {
         for (why in Unknown.entries) {
             val without = rows.filter { it.unknown == why }
             if (without.isEmpty()) continue
-            val sentence = why.sentence + longer(without)
-            body.append("<p><small><sup>${why.mark}</sup> ${escape(sentence)}</small></p>\n")
+            body.append("<p><small><sup>${why.mark}</sup> ${escape(why.sentence)}</small></p>\n")
         }
-    }
-
-    /** How much longer a time gives all [rows] an error, where that is known. */
-    private fun longer(rows: List<NumberRow>): String {
-        val most = rows.map { it.longer }.filter { it.isFinite() }.maxOrNull() ?: return ""
-        return " About ${ceil(most).toLong()} times the time averaged would do."
     }
 
     private fun cells(row: NumberRow): String {

@@ -149,16 +149,23 @@ internal object RunHistory {
         return History("collisions per particle", time.copyOfRange(1, time.size), rates, OF_COLLISIONS)
     }
 
+    /** Key of the temperature of a box. */
+    const val TEMPERATURE = "granular_temperature"
+
+    /** Whether the number of this [key] rises and falls with the temperature of its box: it is no ratio of such. */
+    fun followsTemperature(key: String?): Boolean = key in FOLLOWING || key?.startsWith("partial_temperature") == true
+
     private val OF_SPEED = setOf(
         "velocity_dispersion",
         "sigma_x",
         "sigma_y",
         "sigma_z",
         "ellipsoid_orientation",
-        "granular_temperature",
+        TEMPERATURE,
         "reduced_temperature",
         "mean_impact_speed",
         "toomre_q",
+        "wall_work_over_dissipation",
     )
     private val OF_SPINS = setOf(
         "rotational_temperature",
@@ -178,4 +185,6 @@ internal object RunHistory {
         "reduced_shear_stress",
         "shear_work_over_dissipation",
     )
+    private val FOLLOWING = OF_SPEED + OF_COLLISIONS + OF_STRESS -
+        setOf("compressibility", "shear_work_over_dissipation", "wall_work_over_dissipation")
 }

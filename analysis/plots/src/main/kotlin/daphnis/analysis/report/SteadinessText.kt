@@ -24,8 +24,9 @@ internal class SteadinessText(
 ) {
     /**
      * One sentence for each of the [histories] that drifts, with what to do about it in the last of those for which that
-     * is the same; then one for those that do not, with the largest drift that may have been missed, and one for those
-     * that are too short to tell. Of a conserved quantity no drift is missed.
+     * is the same; then one for those that do not, with the largest drift that may have been missed, one for those of
+     * which a large one may have been, and one for those with too few rows to tell. Of a conserved quantity no drift is
+     * missed.
      */
     fun of(histories: List<History>): List<String> {
         val found = histories.map { it to it.steadiness(from) }.groupBy { it.second.verdict }
@@ -43,18 +44,31 @@ internal class SteadinessText(
         return lines
     }
 
-    private fun steady(found: List<Pair<History, Steadiness>>, drifting: Int): String {
+    private fun steady(found: List<Pair<History, Steadiness>>, drifting: Int): List<String> {
+        val (told, untold) = found.map { (history, drift) -> history.name to drift.largest / average(history) }
+            .partition { !(it.second > MOST_MISSED) }
         val where = when {
-            drifting == 0 -> "over the time averaged"
+            drifting == 0 && untold.isEmpty() -> "over the time averaged"
+            untold.isNotEmpty() -> "in ${told.joinToString { it.first }}"
             found.size == 1 -> "in the other quantity"
             else -> "in the other quantities"
         }
-        val missed = found.map { (history, drift) -> history.name to drift.largest / average(history) }
-            .filter { it.second > ROUND_OFF }
-        if (missed.isEmpty()) return "No drift is seen $where."
-        return "No drift is seen $where. A smaller one than this part of the average may have been missed, " +
-            "with 95 % confidence: ${missed.joinToString { (name, part) -> "$name ${percent(part)}" }}."
+        val missed = told.filter { it.second > ROUND_OFF }
+        val of = if (missed.isEmpty()) {
+            ""
+        } else {
+            " A smaller one than $PART may have been missed, $SURE: ${parts(
+                missed,
+            )}."
+        }
+        return listOfNotNull(
+            "No drift is seen $where.$of".takeIf { told.isNotEmpty() },
+            "Whether it is steady cannot be told where a drift of $PART may have been missed, $SURE: ${parts(untold)}."
+                .takeIf { untold.isNotEmpty() },
+        )
     }
+
+    private fun parts(of: List<Pair<String, Double>>) = of.joinToString { (name, part) -> "$name ${percent(part)}" }
 
     /** How many rows of [history] tell of the time averaged. */
     private fun rows(history: History): String {
@@ -107,5 +121,10 @@ internal class SteadinessText(
     private companion object {
         /** Part of an average below which a change is an error of rounding: the quantity is conserved. */
         const val ROUND_OFF = 1e-9
+
+        /** Part of an average above which a drift that may have been missed leaves open whether it is steady. */
+        const val MOST_MISSED = 0.25
+        const val PART = "this part of the average"
+        const val SURE = "with 95 % confidence"
     }
 }

@@ -163,7 +163,7 @@ class AnalysisTest {
     @Test
     fun `errors of a run whose sizes are drawn are said to be for its own radii`() {
         val said = "± is one standard error; numbers without it and without a mark follow from the particles " +
-            "themselves. It is for the radii of this run: another seed draws others"
+            "and the box themselves. It is for the radii of this run: another seed draws others"
         val drawn = "{\"type\":\"power-law\",\"minimum\":0.3,\"maximum\":0.6,\"exponent\":3}"
         for ((sizes, isSaid) in listOf(drawn to true, "{\"type\":\"list\",\"radii\":[0.3,0.6]}" to false)) {
             val box = listOf("particles.sizes=$sizes", "particles.count=100", "box.lengths=[9,9,9]")
@@ -326,7 +326,8 @@ class AnalysisTest {
     @Test
     fun `the report shows the time series of a run that wrote no transport, and where averages begin`() {
         val path =
-            run("cooling-gas", "until=4", "particles.count=200", "box.lengths=[10,10,10]", "output.snapshotEvery=10")
+            run("cooling-gas", "until=4", "particles.count=200", "box.lengths=[10,10,10]",
+                "output.snapshotEvery=10", "output.transportEvery=0")
         Analysis(AnalysisInput.ofRun(path), AnalysisOptions(from = 2.0)).write(path)
         val html = Files.readString(path.resolve("report.html"))
         assertTrue(">Evolution</h2>" in html)

@@ -1,5 +1,6 @@
 package daphnis.analysis.report
 
+import daphnis.analysis.statistics.BlockAverage
 import daphnis.core.initial.SeededRandom
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
@@ -43,6 +44,25 @@ class JudgementTest {
         assertEquals(listOf("scale_height"), marked(judged(4.4)))
         assertEquals(rows.map { it.key }, marked(judged(4.6)))
         assertTrue(judged(4.6).isDrifting && "no bars" in judged(4.6).bars())
+    }
+
+    @Test
+    fun `where the temperature of a box is too slow for an error, what follows it has none either`() {
+        fun shown(temperature: Double) = Judgement(0.0, 16) { emptyList() }.shown(
+            NumberRows().also { all ->
+                val keys = listOf("viscosity_total", "reduced_shear_stress", "collisions_per_particle")
+                all.average("granular_temperature", "T", BlockAverage(1.0, temperature, 100, 4.0), "")
+                for (key in keys + "partial_temperature_light" + "compressibility") {
+                    all.average(key, key, BlockAverage(1.0, 0.1, 100, 40.0), "")
+                }
+            }.list(),
+        ).filter { it.unknown == Unknown.TOO_FEW }.map { it.key }
+        assertEquals(emptyList<String>(), shown(0.1))
+        assertEquals(
+            listOf("granular_temperature", "viscosity_total", "reduced_shear_stress", "collisions_per_particle") +
+                "partial_temperature_light",
+            shown(Double.NaN),
+        )
     }
 
     @Test

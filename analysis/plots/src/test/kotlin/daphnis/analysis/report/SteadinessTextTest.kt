@@ -142,7 +142,22 @@ class SteadinessTextTest {
         assertTrue(said.startsWith("$NONE: height ") && "energy" !in said) { said }
     }
 
+    @Test
+    fun `where a drift as large as a quarter of the average may have been missed, whether it is steady is left open`() {
+        val noisy = History("viscosity", time, DoubleArray(400) { 1 + 2 * random.nextGaussian() })
+        val still = history("height") { 1.0 }
+        val text = SteadinessText(0.0, "orbit", 1.0)
+        val alone = text.of(listOf(noisy)).single()
+        val missed = Regex("$OPEN: viscosity (\\d+) %\\.").matchEntire(alone)!!.groupValues[1].toDouble()
+        assertTrue(missed in 40.0..150.0) { alone }
+        val both = text.of(listOf(noisy, still))
+        assertTrue(both[0].startsWith("No drift is seen in height. A smaller one") && both[1] == alone) { "$both" }
+    }
+
     private companion object {
+        const val OPEN =
+            "Whether it is steady cannot be told where a drift of this part of the average may have been " +
+                "missed, with 95 % confidence"
         const val NONE = "No drift is seen over the time averaged. " +
             "A smaller one than this part of the average may have been missed, with 95 % confidence"
         val OTHER = NONE.replace("over the time averaged", "in the other quantity")

@@ -54,7 +54,7 @@ class SteadyStartTest {
                 val (given, covered, found) = coverage(memory) { k -> if (k < end) 20.0 * (end - k) / end else 0.0 }
                 val what = "memory $memory, transient to $end: $covered of $given of $REALISATIONS, found $found"
                 assertTrue(given >= 0.9 * REALISATIONS) { what }
-                assertTrue(covered.toDouble() / given in 0.60..0.75) { what }
+                assertTrue(covered.toDouble() / given in 0.60..0.77) { what }
                 assertTrue(if (end > 375) found > 0.45 * REALISATIONS else found < 0.05 * REALISATIONS) { what }
             }
         }
@@ -80,10 +80,10 @@ class SteadyStartTest {
 
     @Test
     fun `numbers without a steady time have no error, and say why`() {
-        val row = NumberRow("a", 1.0, 0.1, "m", key = "a").unsteady()
+        val row = NumberRow("a", 1.0, 0.1, "m", key = "a").without(Unknown.UNSTEADY)
         assertTrue(row.error.isNaN() && row.unknown == Unknown.UNSTEADY && row.value == 1.0 && row.key == "a")
         val exact = NumberRow("a", 1.0, Double.NaN, "m", key = "a")
-        assertTrue(exact.unsteady() === exact)
+        assertTrue(exact.without(Unknown.UNSTEADY) === exact)
     }
 
     private companion object {
