@@ -208,6 +208,9 @@ def _start(options: Sequence[str] = (), java_home: str | os.PathLike[str] | None
             except (OSError, RuntimeError, TypeError, ValueError, jpype.JException) as e:
                 why = " ".join(str(e).split()) or type(e).__name__
                 raise JavaError(f"Java does not start, {java.library}: {why}") from None
+            # Java waits at the end of the process for the thread that started it, which may be over by then. Once let
+            # go, it comes back with its next call as all others do, as a daemon.
+            jpype.JClass("java.lang.Thread").detach()
             if java.version >= VECTOR_FROM and java.modules and not java.has_vector and _wants_vector():
                 unused = "has no jdk.incubator.vector, so the vector unit is not used"
                 noted([f"{java.home} {unused}; DAPHNIS_VECTOR=no ends this line"])

@@ -340,5 +340,17 @@ class DescribeTest {
     fun `collisions of what becomes denser are at least those of the start`() {
         assertTrue("at least about" in row(describe("vibrated-bed"), "run time"))
         assertFalse("at least" in row(describe("cooling-gas"), "run time"))
+        val still = describe("shear-cell", "velocities={\"type\":\"rest\",\"shearProfile\":true}")
+        assertTrue("at least" in row(still, "run time")) { still }
+    }
+
+    @Test
+    fun `spins count for the collisions to come, and many in a step are told of`() {
+        val spins = "spins={\"type\":\"gaussian\",\"temperature\":1.0}"
+        val fast = describe("rough-gas", "velocities={\"type\":\"rest\"}", spins, "timeStep.dt=0.1")
+        assertFalse("the 0 collisions" in row(fast, "run time")) { fast }
+        val slow = describe("rough-gas", "timeStep.dt=4.0", "until=200")
+        assertTrue("collisions of each sphere in a step, which is slow" in slow) { slow }
+        assertFalse("which is slow" in fast) { fast }
     }
 }

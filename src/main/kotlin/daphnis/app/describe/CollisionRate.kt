@@ -2,6 +2,7 @@ package daphnis.app.describe
 
 import daphnis.core.boundary.ContactFaces
 import daphnis.core.initial.fillingFactor
+import daphnis.core.population.SpinSums
 import daphnis.core.population.granularTemperature
 import daphnis.core.scenario.ForceSpec
 import daphnis.core.scenario.GravityMethod
@@ -14,7 +15,8 @@ import kotlin.math.sqrt
  * τ collisions per orbit where they swing through the plane once (docs/validation.md, τ = 0.1 to 1), as many times more
  * as they swing more often. Where the plane is as full as a liquid they have up to g times as many, g being the pair
  * correlation of Carnahan & Starling at contact, and far more in wakes: that is the upper end of the range. Without a
- * frame it is Enskog's rate at the start; spheres that grow, and those that gravity presses on a wall, have more.
+ * frame it is Enskog's rate at the start, where spins have shared their energy with motion; spheres that grow, that
+ * gravity presses on a wall or that shear heats from rest have more.
  *
  * @property least per sphere and unit of time
  * @property most likewise
@@ -49,10 +51,11 @@ internal class CollisionRate private constructor(
             CollisionRate(rate, rate * more)
         }
             ?: enskog(setup).let {
-                if (it.isFinite()) CollisionRate(it, it, becomesDenser(setup)) else CollisionRate(0.0, 0.0)
+                if (it.isFinite()) CollisionRate(it, it, hasMoreLater(setup)) else CollisionRate(0.0, 0.0)
             }
 
-        private fun becomesDenser(setup: ScenarioSetup): Boolean {
+        private fun hasMoreLater(setup: ScenarioSetup): Boolean {
+            if (setup.boundary.meanFlow != null && temperature(setup) == 0.0) return true
             val growth = setup.scenario.growth
             if (growth != null && growth.rate > 0) return true
             return setup.scenario.forces.any { force ->
@@ -67,7 +70,7 @@ internal class CollisionRate private constructor(
             val radii = setup.population.radius
             val room = setup.boundary
             if (radii.isEmpty() || !room.volume.isFinite()) return 0.0
-            val temperature = granularTemperature(setup.population, setup.boundary, setup.scenario.firstBody)
+            val temperature = temperature(setup)
             val mean = radii.average()
             if (room.space.isPlane) {
                 // Henderson 1975, Mol. Phys. 30, 971.
@@ -78,6 +81,16 @@ internal class CollisionRate private constructor(
             val squares = 2 * (radii.sumOf { it * it } / radii.size + mean * mean)
             return 4 * sqrt(PI * temperature) * radii.size / room.volume * squares *
                 correlation(fillingFactor(radii, room))
+        }
+
+        /** Of motion; where there are spins, of motion and rotation together. */
+        private fun temperature(setup: ScenarioSetup): Double {
+            val ofMotion = granularTemperature(setup.population, setup.boundary, setup.scenario.firstBody)
+            if (!setup.population.hasSpin) return ofMotion
+            val space = setup.boundary.space
+            val spins = SpinSums(setup.scenario.momentFactor, space).apply { take(setup.population) }
+            val (straight, turns) = space.dimensions to space.rotations
+            return (straight * ofMotion + turns * spins.temperature) / (straight + turns)
         }
 
         /** At contact. */

@@ -71,6 +71,13 @@ internal class CostRows(private val setup: ScenarioSetup, private val say: Quant
         val ofStart = "with $those collisions of the start"
         val why = if (setup.frequencies == null) ofStart else "$counts collisions"
         rows.add("run time", "$seconds on one core, roughly; $why")
+        val inStep = rate.most * dt
+        if (inStep > MANY_IN_STEP) {
+            rows.add(
+                "run time",
+                "about ${number(inStep)} collisions of each $one in a step, which is slow: take shorter steps",
+            )
+        }
     }
 
     /** Steps to the end if the greatest speed stays, those that outputs cut short included. */
@@ -176,6 +183,9 @@ internal class CostRows(private val setup: ScenarioSetup, private val say: Quant
         /** A collision in a gas, and in a dense ring, where searches look at more spheres; overstability has 2.5 µs. */
         const val GAS_COLLISION_SECONDS = 1e-6
         const val RING_COLLISION_SECONDS = 2.5e-6
+
+        /** Collisions per sphere and step: beyond it a search finds mostly what others undo. */
+        const val MANY_IN_STEP = 3.0
 
         const val SLACK = 1e-6
         const val MOST_WRITTEN = 1e12

@@ -12,6 +12,7 @@ import java.util.concurrent.Semaphore
 import java.util.concurrent.SynchronousQueue
 import java.util.concurrent.ThreadPoolExecutor
 import java.util.concurrent.TimeUnit
+import kotlin.concurrent.thread
 
 /**
  * Serves a page that shows what is in [feed] as it comes, by server-sent events, and [states] when they are asked for,
@@ -65,7 +66,9 @@ internal class LiveServer(
     init {
         server.createContext("/") { exchange -> exchange.use(::answer) }
         server.executor = threads
-        server.start()
+        // Its own thread takes after the one that starts it. A program of another language that ends with an open page,
+        // as Python does in which nobody closed it, waits for all threads but daemons.
+        thread(isDaemon = true) { server.start() }.join()
     }
 
     private fun answer(exchange: HttpExchange) {
