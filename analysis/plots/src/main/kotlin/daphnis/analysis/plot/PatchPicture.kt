@@ -72,8 +72,7 @@ internal class PatchPicture(private val state: State, private val lengthName: St
         return "The first ${text(shown)} of ${text(all)}"
     }
 
-    private fun barText(window: Window) =
-        ScaleBar.text(ScaleBar.length(window.right - window.left), lengthName)
+    private fun barText(window: Window) = ScaleBar.text(ScaleBar.length(window.right - window.left), lengthName)
 
     /** Writes `NAME.png` and `NAME.svg` into [directory]; the PNG. */
     fun writeAbove(directory: Path, name: String): ByteArray = write(above, directory, name)

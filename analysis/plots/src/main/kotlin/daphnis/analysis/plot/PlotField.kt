@@ -59,7 +59,13 @@ internal class PlotField(
             above += spareY
             bottom -= spareY
         }
-        val columns = if (isFixed) xSpan.fitting(end - left) { NUMBER * TextWidth.of(it) + PlotFrame.GAP } else xSpan.ticks
+        val columns = if (isFixed) {
+            xSpan.fitting(end - left) {
+                NUMBER * TextWidth.of(it) + PlotFrame.GAP
+            }
+        } else {
+            xSpan.ticks
+        }
         val rows = if (isFixed) ySpan.fitting(bottom - above) { NUMBER + PlotFrame.GAP } else ySpan.ticks
         val frame = PlotFrame(xSpan.axis, ySpan.axis, columns, rows, left, end, above, bottom)
         frame.grid(sheet, NUMBER)

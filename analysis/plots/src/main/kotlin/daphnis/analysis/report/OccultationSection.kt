@@ -94,7 +94,9 @@ internal class OccultationSection(private val study: Study) : Section {
     private fun scan(page: ReportPage) {
         val n = light.width - 1
         if (n < FEWEST_PLACES) {
-            page.paragraph("No scan along x: the ${study.place} is so long for its width that too few rays pass side by side.")
+            page.paragraph(
+                "No scan along x: the ${study.place} is so long for its width that too few rays pass side by side.",
+            )
             return
         }
         val box = study.boxes.mean

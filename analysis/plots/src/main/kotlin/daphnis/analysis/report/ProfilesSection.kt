@@ -179,8 +179,9 @@ internal class ProfilesSection(private val study: Study) : Section {
 
     private companion object {
         const val MOST_BINS = 60
-        const val STREAMS = " Where grains stream through one another, as those that rise from a floor and those that fall " +
-            "back, ⟨c_z²⟩ is no temperature."
+        const val STREAMS =
+            " Where grains stream through one another, as those that rise from a floor and those that fall " +
+                "back, ⟨c_z²⟩ is no temperature."
 
         /** Columns that are over the volume or the area of bins of the box. */
         val OF_BOX = setOf("surface_density", "optical_depth", "filling_factor")

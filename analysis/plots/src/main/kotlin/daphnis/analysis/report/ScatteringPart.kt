@@ -41,7 +41,9 @@ internal class ScatteringPart(private val study: Study, private val trajectories
         val k = UnitNames.amount(ReportText.short(waveNumber), units.waveNumber)
         if (isNoise(found)) {
             val first = UnitNames.amount(ReportText.short(found.lag[0]), unit)
-            page.paragraph("No self-intermediate scattering function at k = $k: it has fallen to noise within $first, $DENSER")
+            page.paragraph(
+                "No self-intermediate scattering function at k = $k: it has fallen to noise within $first, $DENSER",
+            )
         } else {
             study.draw(
                 page,

@@ -326,8 +326,14 @@ class AnalysisTest {
     @Test
     fun `the report shows the time series of a run that wrote no transport, and where averages begin`() {
         val path =
-            run("cooling-gas", "until=4", "particles.count=200", "box.lengths=[10,10,10]",
-                "output.snapshotEvery=10", "output.transportEvery=0")
+            run(
+                "cooling-gas",
+                "until=4",
+                "particles.count=200",
+                "box.lengths=[10,10,10]",
+                "output.snapshotEvery=10",
+                "output.transportEvery=0",
+            )
         Analysis(AnalysisInput.ofRun(path), AnalysisOptions(from = 2.0)).write(path)
         val html = Files.readString(path.resolve("report.html"))
         assertTrue(">Evolution</h2>" in html)

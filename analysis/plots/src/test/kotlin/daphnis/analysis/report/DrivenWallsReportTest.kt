@@ -27,7 +27,9 @@ class DrivenWallsReportTest {
         assertTrue(Files.exists(home.resolve("plots/vertical-temperature.svg")))
         val html = Files.readString(home.resolve("report.html"))
         assertTrue("cycles of a wall" !in html)
-        assertTrue(">The box</h2>" in html && "patch" !in html.replace(Regex("base64,[^\"]*"), "")) { "a bed is no ring" }
+        assertTrue(">The box</h2>" in html && "patch" !in html.replace(Regex("base64,[^\"]*"), "")) {
+            "a bed is no ring"
+        }
         assertTrue("Occultation" !in html && "ptical depth" !in html && "⟨c_z²⟩ is no temperature" in html)
     }
 
