@@ -77,7 +77,7 @@ class HostileInputTest {
             ),
         )
         assertDone(plain(daphnis("bench", "--compare", "$run-bench", "$run-bench")))
-        val keys = arrayOf("--set", "name=\"${json}1\",\"${json}2\"")
+        val keys = arrayOf("--set", "name=\"${json}1\"", "--seeds", "1..2")
         assertDone(plain(daphnis("sweep", file, *keys, "--out", "$run-sweep")))
         assertRefused(plain(daphnis("describe", file, "--set", "$evil=1")))
         assertRefused(plain(daphnis("scenarios", evil)))

@@ -56,7 +56,7 @@ class MovieCommandTest {
     @Test
     fun `an mp4 of an odd width has one pixel more`() {
         val run = run("ring", "ring-patch", "--steps", "2", "--set", "output.snapshotEvery=1")
-        val file = folder.resolve("made/ring.MP4")
+        val file = folder.resolve("ring.MP4")
         val said = assertDone(movie(run, "--width", "301", "--view", "side", "--colour", "density", "--out", "$file"))
         assertTrue("3 frames of 302 × " in said) { said }
         assertTrue("ftyp" in String(Files.readAllBytes(file).copyOf(16), Charsets.ISO_8859_1))

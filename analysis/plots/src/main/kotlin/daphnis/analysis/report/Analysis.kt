@@ -27,9 +27,11 @@ public class Analysis @JvmOverloads constructor(
         val from = options.from ?: return
         val last = input.times.last()
         if (from <= last) return
-        val why = "the last state is at time $last, so it must be at most that, in the scenario's unit of time"
-        throw InputException("from", null, "is $from; $why", isArgument = true)
+        val why = "the last state is at time ${typed(last)}, so it must be at most that, in the scenario's unit of time"
+        throw InputException("from", null, "is ${typed(from)}; $why", isArgument = true)
     }
+
+    private fun typed(time: Double) = "$time".removeSuffix(".0")
 
     /** Why the last [write] made no PNGs, as where this Java has no fonts; null when it did. */
     public var missing: String? = null

@@ -365,7 +365,7 @@ class AnalysisTest {
         val message = assertThrows(InputException::class.java) {
             Analysis(input, AnalysisOptions(from = 1.5))
         }.message!!
-        for (part in listOf("from: is 1.5", "last state is at time 1.0,", "at most")) {
+        for (part in listOf("from: is 1.5", "last state is at time 1,", "at most")) {
             assertTrue(part in message) {
                 message
             }
