@@ -374,9 +374,9 @@ class Force(_OfFunction):
         return jpype.JProxy(java("daphnis.core.force.Force"), dict=calls)
 
 
-Law = Restitution | Callable[[float], float]
-Surface = Roughness | Callable[[Contact], float]
-BothLaw = ContactLaw | Callable[[Contact], "tuple[float, float]"]
+Law = Callable[[float], float]
+Surface = Callable[[Contact], float]
+BothLaw = Callable[[Contact], "tuple[float, float]"]
 
 
 def restitution(function: Callable[[float], float]) -> Restitution:
