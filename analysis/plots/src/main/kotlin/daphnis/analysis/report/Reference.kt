@@ -15,8 +15,11 @@ import kotlin.math.sqrt
 
 /** A number from elsewhere, with one standard [error] of its own, to stand beside a measured one. */
 internal class Reference(val value: Double, val error: Double, val source: String) {
-    /** How far [measured] is from it, in joint standard errors; NaN where [ofMeasured] is not known. */
-    fun away(measured: Double, ofMeasured: Double): Double = (measured - value) / hypot(error, ofMeasured)
+    /** How far it may be from the truth: three of its standard errors. */
+    val bound: Double get() = 3 * error
+
+    /** Whether [measured] with the standard error [its] agrees with it, as far as the bound and three errors tell. */
+    fun agrees(measured: Double, its: Double): Boolean = abs(measured - value) <= hypot(bound, 3 * its)
 }
 
 /**

@@ -103,15 +103,16 @@ class ReferenceTest {
     }
 
     @Test
-    fun `a difference is in errors of both sides, and a page says so`() {
+    fun `a difference is in errors of the run, beside the bound of the reference, and none without an error`() {
         val reference = Reference(10.0, 0.3, "there")
-        assertEquals(2.0, reference.away(11.0, 0.4), 1e-12)
-        assertTrue(reference.away(11.0, Double.NaN).isNaN())
-        fun page(error: Double) = ReportPage("t").apply { numbers(listOf(NumberRow("c", 9.0, error, "m", reference))) }
-            .html("")
-        val html = page(0.4)
-        assertTrue("10.00 ± 0.30" in html && "−10.0 % (−2.0 σ)" in html && "joint standard error" in html) { html }
-        assertTrue("−10.0 %</td>" in page(Double.NaN))
+        assertEquals(0.9, reference.bound, 1e-12)
+        fun page(value: Double, error: Double) =
+            ReportPage("t").apply { numbers(listOf(NumberRow("c", value, error, "m", reference))) }.html("")
+        val within = page(9.0, 0.2)
+        assertTrue("10.00, to 0.90" in within && "−10.0 % (−5.0 σ, within)" in within) { within }
+        assertTrue("−20.0 % (−10.0 σ, beyond)" in page(8.0, 0.2))
+        assertTrue("−10.0 % (beyond)" in page(9.0, 0.0))
+        assertTrue("10.0 %" !in page(9.0, Double.NaN)) { "a number without an error may differ by chance" }
     }
 
     internal companion object {
