@@ -86,13 +86,13 @@ class Report:
         """The numbers of the report, indexed by the keys of docs/analysis.md.
 
         Columns: ``value``; ``standard_error``, NaN where none can be given; ``unit``; ``reference``, what is published,
-        else NaN, and ``reference_error`` of that; ``remark``, why there is no error, else empty.
+        else NaN, and ``reference_bound``, how far off that may be; ``remark``, why there is no error, else empty.
         """
         table = read_table(self.path / "tables" / "numbers.csv").set_index("quantity")
         for name in ("unit", "remark"):
             # As objects, since a column that is empty throughout is read as numbers.
             table[name] = table[name].astype(object).fillna("").astype(str)
-        floats = ("value", "standard_error", "reference", "reference_error")
+        floats = ("value", "standard_error", "reference", "reference_bound")
         return table.astype({name: float for name in floats if name in table})
 
     @property
