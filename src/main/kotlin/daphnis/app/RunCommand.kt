@@ -48,6 +48,7 @@ class RunCommand : CliktCommand(name = "run") {
         metavar = "path=value",
         help = "replace any key of the scenario, such as timeStep.dt=0.05 or 'forces[0].x=-167'; " +
             "'forces[+]={…}' adds an entry",
+        completionCandidates = Candidates.setting,
     ).multiple()
     private val out by option(
         "--out",
