@@ -1,10 +1,13 @@
 package daphnis.core.run
 
 import daphnis.core.boundary.BoundaryConditions
+import daphnis.core.scenario.BoundarySpec
 import daphnis.core.scenario.FrameSetup
+import daphnis.core.scenario.GrowthSpec
 import daphnis.core.scenario.InputException
 import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.Surroundings
+import daphnis.core.scenario.WallFacesSpec
 import kotlin.math.abs
 
 /**
@@ -34,12 +37,41 @@ internal class OriginCheck(private val scenario: Scenario, private val source: S
             velocities = null,
             spins = scenario.spins.takeIf { !state.hasSpin },
             firstBody = other?.firstBody(state.size)?.takeIf { bodies.isNotEmpty() },
+            growth = growth(other),
+            boundary = boundary(other),
         )
         checkCount(bodies.size)
         if (other != null) checkUnits(other)
         checkFrame()
         checkBox(Surroundings.of(start, source).boundary)
         return start
+    }
+
+    /** At the rate of the other run radii go on as there; another rate is over those of the state. */
+    private fun growth(other: Scenario?): GrowthSpec? {
+        val here = scenario.growth ?: return null
+        val there = other?.growth ?: return here
+        if (here.since != there.since) return here
+        return here.since(if (here.rate == there.rate) there.since ?: other.startTime else null)
+    }
+
+    /** A piston that begins as in the other run is where it is in the state. */
+    private fun boundary(other: Scenario?): BoundarySpec {
+        val walls = scenario.boundary as? BoundarySpec.Walls
+        val faces = walls?.faces ?: return scenario.boundary
+        val before = (other?.boundary as? BoundarySpec.Walls)?.faces?.pistons.orEmpty()
+        val left = faces.pistons.filter { (face, piston) ->
+            before[face]?.let { it.position == piston.position && it.velocity == piston.velocity } == true
+        }
+        if (left.isEmpty()) return walls
+        val known = if (state.step == 0L) before.mapValues { listOf(it.value.position, it.value.velocity) } else from.pistons()
+        for (face in left.keys) {
+            must("${WallFacesSpec.KEY}.${WallFacesSpec.NAMES[face]}.motion", known?.get(face) != null) {
+                "is a piston, and nothing says where it is in $said: give its position and velocity, or take a state " +
+                    "after a step that has a row in ${SeriesColumns.file}"
+            }
+        }
+        return walls.with(faces.withPistons(known.orEmpty().filterKeys { it in left }))
     }
 
     /** The run's own scenario says how many there were at its start, which may have been more. */

@@ -6,6 +6,7 @@ import daphnis.core.run.RunOrigin
 import daphnis.core.run.Summary
 import daphnis.core.run.toStep
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertNotEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
@@ -68,22 +69,39 @@ class PistonScenarioTest {
     }
 
     @Test
-    fun `a start from a state tells that the piston begins as the scenario says, until that is set`() {
-        val inward = plain.replace("-9", "-40")
-        val whole = home.resolve("whole")
-        Run.start(scenario(inward, "output.snapshotEvery=20"), "test", whole).use { it.execute() }
-        val run = Run.open(whole)
-        fun told(n: Int, origin: RunOrigin, vararg settings: String) =
-            Run.start(scenario(inward, "until=5", *settings), "test", home.resolve("$n"), from = origin)
-                .use { it.notices.filter { notice -> "a piston is not part" in notice } }
+    fun `a start from a state has the piston where it was, inward or outward, to the bits of the uninterrupted run`() {
         val key = "boundary.faces.upperX.motion"
-        assertEquals(emptyList<String>(), told(1, RunOrigin(run, run.atStep(0))))
-        val notice = told(2, RunOrigin(run, run.last()), "$key.position=0.0")
-        assertTrue("piston_position_upper_x and piston_speed_upper_x" in notice.single()) { "$notice" }
-        assertTrue("$key.position (0.0)" in notice.single()) { "$notice" }
-        val last = Files.readAllLines(whole.resolve("series.csv")).map { it.split(',') }
-        val at = last.last()[last[0].indexOfFirst { it.startsWith("piston_position_upper_x") }]
-        assertEquals(emptyList<String>(), told(3, RunOrigin(run, run.last()), "$key.position=$at"))
+        for ((name, motion) in listOf("out" to plain, "in" to plain.replace("-9", "-40"))) {
+            val whole = home.resolve(name)
+            Run.start(scenario(motion, "output.snapshotEvery=7"), "test", whole).use { it.execute() }
+            val run = Run.open(whole)
+            fun digest(n: String, origin: RunOrigin, vararg settings: String): String =
+                Run.start(scenario(motion, *settings), "test", home.resolve("$name-$n"), from = origin)
+                    .use { it.execute().stateDigest }
+            for (step in run.steps().dropLast(1)) {
+                assertEquals(run.summary()!!.stateDigest, digest("$step", RunOrigin(run, run.atStep(step)))) { "$step" }
+            }
+            val written = Run.open(home.resolve("$name-7"))
+            val state = written.atStep(written.steps()[1])
+            assertEquals(run.summary()!!.stateDigest, digest("again", RunOrigin(written, state)))
+            assertNotEquals(
+                run.summary()!!.stateDigest,
+                digest("other", RunOrigin(run, run.atStep(7)), "$key.velocity=0.01", "$key.position=0.5"),
+            )
+        }
+    }
+
+    @Test
+    fun `a state of which nothing says where the piston was is refused, until its place is given`() {
+        val whole = home.resolve("whole")
+        val settings = arrayOf("output.snapshotEvery=7", "output.seriesEvery=5")
+        Run.start(scenario(plain, *settings), "test", whole).use { it.execute() }
+        val run = Run.open(whole)
+        fun start(n: Int, vararg settings: String) =
+            Run.start(scenario(plain, *settings), "test", home.resolve("$n"), from = RunOrigin(run, run.atStep(7)))
+        val told = assertThrows(InputException::class.java) { start(1) }.message.orEmpty()
+        assertTrue("boundary.faces.upperX.motion: is a piston, and nothing says where it is" in told) { told }
+        start(2, "boundary.faces.upperX.motion.position=0.5").close()
     }
 
     @Test
