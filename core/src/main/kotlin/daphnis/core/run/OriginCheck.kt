@@ -51,27 +51,26 @@ internal class OriginCheck(private val scenario: Scenario, private val source: S
     private fun growth(other: Scenario?): GrowthSpec? {
         val here = scenario.growth ?: return null
         val there = other?.growth ?: return here
-        if (here.since != there.since) return here
+        if (here.since != null && here.since != there.since) return here
         return here.since(if (here.rate == there.rate) there.since ?: other.startTime else null)
     }
 
-    /** A piston that begins as in the other run is where it is in the state. */
+    /** What was a piston in the other run is where it was in the state. */
     private fun boundary(other: Scenario?): BoundarySpec {
         val walls = scenario.boundary as? BoundarySpec.Walls
         val faces = walls?.faces ?: return scenario.boundary
         val before = (other?.boundary as? BoundarySpec.Walls)?.faces?.pistons.orEmpty()
-        val left = faces.pistons.filter { (face, piston) ->
-            before[face]?.let { it.position == piston.position && it.velocity == piston.velocity } == true
-        }
-        if (left.isEmpty()) return walls
-        val known = if (state.step == 0L) before.mapValues { listOf(it.value.position, it.value.velocity) } else from.pistons()
-        for (face in left.keys) {
-            must("${WallFacesSpec.KEY}.${WallFacesSpec.NAMES[face]}.motion", known?.get(face) != null) {
-                "is a piston, and nothing says where it is in $said: give its position and velocity, or take a state " +
-                    "after a step that has a row in ${SeriesColumns.file}"
+        val both = faces.pistons.keys intersect before.keys
+        if (both.isEmpty()) return walls
+        val atStart = before.mapValues { listOf(it.value.position, it.value.velocity) }
+        val states = if (state.step == 0L) atStart else from.pistons().orEmpty()
+        for (face in both) {
+            must("${WallFacesSpec.KEY}.${WallFacesSpec.NAMES[face]}.motion", face in states) {
+                "is a piston, and nothing says where it was in $said; take a state after a step that has a row in " +
+                    SeriesColumns.file
             }
         }
-        return walls.with(faces.withPistons(known.orEmpty().filterKeys { it in left }))
+        return walls.with(faces.withPistons(states.filterKeys { it in both }))
     }
 
     /** The run's own scenario says how many there were at its start, which may have been more. */

@@ -12,7 +12,6 @@ import kotlinx.serialization.json.JsonNull
 import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonPrimitive
 import kotlin.math.abs
-import kotlin.math.rint
 
 /**
  * Compares a JSON tree with what a serializer expects and names the first error by its path: an unknown
@@ -139,7 +138,7 @@ internal class SchemaCheck(private val source: String) {
         primitive.content.toLongOrNull()?.let { return it }
         if (!JSON_NUMBER.matches(primitive.content)) return null
         val value = primitive.content.toDouble()
-        return if (abs(value) <= MOST_EXACT && value == rint(value)) value.toLong() else null
+        return if (abs(value) <= MOST_EXACT && value % 1.0 == 0.0) value.toLong() else null
     }
 
     private fun expected(descriptor: SerialDescriptor): String = "it must be " + when (descriptor.kind) {

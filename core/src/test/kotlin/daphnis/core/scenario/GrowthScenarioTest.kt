@@ -62,8 +62,10 @@ class GrowthScenarioTest {
             }
             val second = Run.open(home.resolve("$name-4"))
             val again = RunOrigin(second, second.atStep(4))
-            val third = Run.start(second.scenario()!!, "test", home.resolve("$name-b"), from = again)
-            assertEquals(digest, third.use { it.execute() }.stateDigest)
+            for ((n, own) in listOf("b" to second.scenario()!!, "e" to scenario("growth.rate=$rate"))) {
+                val third = Run.start(own, "test", home.resolve("$name-$n"), from = again)
+                assertEquals(digest, third.use { it.execute() }.stateDigest) { n }
+            }
             for ((n, from) in listOf("c" to RunOrigin(whole, whole.atStep(8)), "d" to again)) {
                 val start = from.state.radius[0] / 0.6
                 assertEquals(1 + rate * 0.8, start, 1e-12)
