@@ -15,12 +15,12 @@ import daphnis.app.progress.TimesInWords
 import daphnis.core.run.ProgramRecord
 import daphnis.core.run.Run
 import daphnis.core.run.RunOrigin
-import daphnis.core.scenario.FrameSetup
 import daphnis.core.scenario.BoundarySpec
+import daphnis.core.scenario.FrameSetup
 import daphnis.core.scenario.InputException
 import daphnis.core.scenario.Scenario
-import daphnis.core.scenario.WallMotionSpec
 import daphnis.core.scenario.TimeStepSpec
+import daphnis.core.scenario.WallMotionSpec
 import java.nio.file.Files
 import java.nio.file.Path
 
@@ -106,8 +106,12 @@ class RunCommand : CliktCommand(name = "run") {
     private fun checkPistons(origin: RunOrigin) {
         val faces = (origin.run.scenario()?.boundary as? BoundarySpec.Walls)?.faces ?: return
         val motions = mapOf(
-            "lowerX" to faces.lowerX, "upperX" to faces.upperX, "lowerY" to faces.lowerY,
-            "upperY" to faces.upperY, "lowerZ" to faces.lowerZ, "upperZ" to faces.upperZ,
+            "lowerX" to faces.lowerX,
+            "upperX" to faces.upperX,
+            "lowerY" to faces.lowerY,
+            "upperY" to faces.upperY,
+            "lowerZ" to faces.lowerZ,
+            "upperZ" to faces.upperZ,
         ).mapValues { it.value?.motion }
         for (setting in settings) {
             val face = OF_PISTON.find(setting)?.groupValues?.get(1) ?: continue

@@ -45,6 +45,6 @@ public class RunOrigin(public val run: RecordedRun, public val state: Snapshot) 
     )
 
     /** Position and speed of each piston in the state, by face; null where the run does not tell. */
-    internal fun pistons(): Map<Int, List<Double>>? =
-        CheckpointState(run.directory).meta(state.step)?.pistons ?: SeriesColumns.pistons(run.directory.series, state.step)
+    internal fun pistons(): Map<Int, List<Double>>? = CheckpointState(run.directory).meta(state.step)?.pistons
+        ?: SeriesColumns.pistons(run.directory.series, state.step)
 }

@@ -75,9 +75,13 @@ class PistonScenarioTest {
             val whole = home.resolve(name)
             Run.start(scenario(motion, "output.snapshotEvery=7"), "test", whole).use { it.execute() }
             val run = Run.open(whole)
-            fun digest(n: String, origin: RunOrigin, vararg settings: String): String =
-                Run.start(scenario(motion, "output.snapshotEvery=7", *settings), "test", home.resolve("$name-$n"), from = origin)
-                    .use { it.execute().stateDigest }
+            fun digest(n: String, origin: RunOrigin, vararg settings: String): String = Run.start(
+                scenario(motion, "output.snapshotEvery=7", *settings),
+                "test",
+                home.resolve("$name-$n"),
+                from = origin,
+            )
+                .use { it.execute().stateDigest }
             for (step in run.steps().dropLast(1)) {
                 assertEquals(run.summary()!!.stateDigest, digest("$step", RunOrigin(run, run.atStep(step)))) { "$step" }
             }

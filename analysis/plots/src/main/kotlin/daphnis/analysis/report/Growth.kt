@@ -38,7 +38,13 @@ internal object Growth {
             " from the filling factor ${ReportText.short(it)} to ${ReportText.short(study.bulk.fillingFactor)}"
         }.orEmpty()
         val rate = study.input.scenario?.growth?.rate ?: 0.0
-        val change = if (rate < 0) "shrink" else if (rate > 0) "grow" else "change their radii"
+        val change = if (rate < 0) {
+            "shrink"
+        } else if (rate > 0) {
+            "grow"
+        } else {
+            "change their radii"
+        }
         val what = "The ${study.bodies} $change$path, so averages over time mean nothing"
         return if (study.averaged.size == 1) "$what: numbers are of one state." else "$what."
     }

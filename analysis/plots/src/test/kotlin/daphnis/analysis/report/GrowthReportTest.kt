@@ -46,7 +46,9 @@ class GrowthReportTest {
         val run = AnalysisInput.ofRun(home)
         val ends = listOf(0, run.size - 1).map { ReportText.short(Bulk(run.state(it), run).fillingFactor) }
         val what = "The spheres change their radii from the filling factor ${ends[0]} to ${ends[1]}, so averages over time"
-        assertTrue("$what mean nothing: numbers are of one state." in page) { page.substringAfter("The spheres").take(300) }
+        assertTrue("$what mean nothing: numbers are of one state." in page) {
+            page.substringAfter("The spheres").take(300)
+        }
         assertTrue("Averages over 1 state of 7" in page)
     }
 

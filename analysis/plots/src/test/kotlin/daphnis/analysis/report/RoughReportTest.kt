@@ -35,7 +35,14 @@ class RoughReportTest {
             fun all(value: Double) = DoubleArray(50) { value }
             fun place(axis: Int) = DoubleArray(50) { ((it + 1) * 0.37 * axis) % 1 * 8 - 4 }
             val population = Population(
-                place(1), place(2), place(3), all(speed), all(0.0), all(0.0), all(0.1), all(1.0),
+                place(1),
+                place(2),
+                place(3),
+                all(speed),
+                all(0.0),
+                all(0.0),
+                all(0.1),
+                all(1.0),
             ).withSpin(all(0.0), all(0.0), DoubleArray(50) { 1.0 + it })
             val box = Periodic(Box.centred(8.0, 8.0, 8.0))
             val states = AnalysisInput.ofStates(name, doubleArrayOf(0.0, 1.0), box, null) {
