@@ -24,7 +24,9 @@ class HelfandGasTest {
     @Test
     fun `a gas of spheres has the coefficients of Enskog, and their errors cover the mean over seeds`() {
         val seeds = if (isFull) 48 else 3
-        val found = (1..seeds).map { measured(it, if (isFull) 500 else 108, if (isFull) 100.0 else 45.0, FILLING, 0.06) }
+        val found = (1..seeds).map {
+            measured(it, if (isFull) 500 else 108, if (isFull) 100.0 else 45.0, FILLING, 0.06)
+        }
         assertNear("η", EnskogGas.viscosity(1.0, 1.0, FILLING, 1.0), found.map { it.shear }, 0.06, 0.2)
         assertNear("κ", EnskogGas.bulkViscosity(1.0, 1.0, FILLING, 1.0), found.map { it.bulk }, 0.15, 0.4)
         assertNear("λ", EnskogGas.conductivity(1.0, 1.0, FILLING, 1.0), found.map { it.heat }, 0.06, 0.2)
