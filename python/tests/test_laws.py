@@ -382,7 +382,7 @@ def test_laws_that_contradict_each_other_or_are_none_are_refused(gas: dict[str, 
         with pytest.raises(daphnis.InputError, match="contact_law: gives both coefficients"):
             daphnis.Simulation(gas, **spheres, contact_law=both, **other)
     for name in ("roughness", "contact_law"):
-        with pytest.raises(daphnis.InputError, match=f"{name}: is 0.5; it must be a function of the contact"):
+        with pytest.raises(daphnis.InputError, match=f"{name}: is 0.5; it must be a function"):
             daphnis.Simulation(gas, **spheres, **{name: 0.5})
     assert friction(daphnis.Contact(1.0, 1.0, 1.0, 0.4, (1.0, 1.0), (1.0, 1.0), (0, 0))) == 0.25
 

@@ -123,7 +123,7 @@ def test_a_second_run_into_a_directory_is_refused_and_changes_nothing(ring: daph
         ({"scenario": 3}, "scenario: is 3"),
         ({"from_": 3}, "from_: is 3"),
         ({"from_": "nowhere"}, "nowhere: no such file or directory"),
-        ({"forces": [lambda s, t: 0]}, "is not what daphnis.kick"),
+        ({"forces": [lambda s, t: 0]}, "must be what daphnis.kick"),
         ({"restitution": 0.5}, "restitution: is 0.5; it must be a function"),
     ],
 )

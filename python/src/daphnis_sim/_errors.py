@@ -21,6 +21,11 @@ class DaphnisError(Exception):
 
     java: Any = None
 
+    def __reduce__(self) -> Any:
+        """For ``pickle``, which brings it out of the process of a pool: without the exception of Java."""
+        rest = {name: value for name, value in self.__dict__.items() if name != "java"}
+        return type(self), self.args, rest
+
 
 class JavaError(DaphnisError, RuntimeError):
     """Java is missing, too old, does not start, or has no memory left."""
@@ -28,6 +33,10 @@ class JavaError(DaphnisError, RuntimeError):
 
 class InputError(DaphnisError, ValueError):
     """The input is wrong: one line names the file or argument, the key, the value and what would be right."""
+
+
+class ArgumentTypeError(InputError, TypeError):
+    """An argument is of another type than it may be, or there is none of its name."""
 
 
 class FormatError(DaphnisError, ValueError):
@@ -52,6 +61,9 @@ class Interrupted(KeyboardInterrupt):
     def __init__(self, message: str, path: Any) -> None:
         super().__init__(message)
         self.path = path
+
+    def __reduce__(self) -> Any:
+        return type(self), (*self.args, self.path)
 
 
 def noted(notices: list[str]) -> None:

@@ -14,7 +14,9 @@ from typing import Any, NamedTuple
 
 import jpype
 
+from ._arguments import checked
 from ._built import built_jars
+from ._error_stream import without
 from ._errors import JavaError, noted
 
 OLDEST = 17
@@ -22,6 +24,9 @@ OLDEST = 17
 
 VECTOR_FROM = 25
 """The oldest Java on which the vector unit makes daphnis faster."""
+
+_VECTOR_LINE = "WARNING: Using incubator modules: jdk.incubator.vector"
+"""What Java writes where the vector unit is in use, which a notebook would show in red: no cause to worry."""
 
 _LIBRARIES = ("lib/server/libjvm.so", "lib/server/libjvm.dylib", "bin/server/jvm.dll")
 _lock = threading.Lock()
@@ -149,8 +154,7 @@ def jars() -> list[Path]:
 def flags(java: Java, given: Sequence[str] = ()) -> list[str]:
     """Options of the virtual machine: those of the `daphnis` script, JAVA_OPTS, and then `given`, which win.
 
-    The vector unit is used on JDK 25 and newer, unless DAPHNIS_VECTOR is "no". The JVM then writes a line of its own to
-    the error stream.
+    The vector unit is used on JDK 25 and newer, unless DAPHNIS_VECTOR is "no".
     """
     own = [*shlex.split(os.environ.get("JAVA_OPTS", "")), *given]
     all_given = [*own, os.environ.get("JAVA_TOOL_OPTIONS", ""), os.environ.get("JDK_JAVA_OPTIONS", "")]
@@ -172,6 +176,7 @@ def _wants_vector() -> bool:
     return os.environ.get("DAPHNIS_VECTOR", "") != "no"
 
 
+@checked
 def start(*options: str, java_home: str | os.PathLike[str] | None = None) -> None:
     """Starts Java with `options`, such as ``"-Xmx8g"``.
 
@@ -204,7 +209,8 @@ def _start(options: Sequence[str] = (), java_home: str | os.PathLike[str] | None
             java = find_java(java_home)
             try:
                 # Ctrl-C stays Python's, which ends a run with a checkpoint.
-                jpype.startJVM(*flags(java, options), jvmpath=str(java.library), classpath=path, interrupt=False)
+                with without(_VECTOR_LINE):
+                    jpype.startJVM(*flags(java, options), jvmpath=str(java.library), classpath=path, interrupt=False)
             except (OSError, RuntimeError, TypeError, ValueError, jpype.JException) as e:
                 why = " ".join(str(e).split()) or type(e).__name__
                 raise JavaError(f"Java does not start, {java.library}: {why}") from None

@@ -5,8 +5,9 @@ from __future__ import annotations
 import functools
 import hashlib
 import math
+import sys
 import threading
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from types import CodeType
 from typing import Any, NamedTuple, overload
 
@@ -15,6 +16,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _arrays
+from ._arguments import wrong_type
 from ._errors import InputError, PythonFailure
 from ._jvm import java
 
@@ -57,6 +59,9 @@ class Spheres:
     def mass(self) -> NDArray[np.float64]:
         """Masses, shape (n,), in units of mass."""
         return _read_only(_arrays.of_doubles(self._population.getMass())[self._order])
+
+    def __repr__(self) -> str:
+        return f"<Spheres: {len(self)}>"
 
     def _columns(self, *names: str) -> NDArray[np.float64]:
         arrays = [getattr(self._population, f"get{name}")() for name in names]
@@ -138,12 +143,31 @@ def _kept(failure: PythonFailure, function: Callable[[Any], Any]) -> Callable[[A
     return call
 
 
-class Restitution:
+class _OfFunction:
+    """What a function of Python does in the physics."""
+
+    def _parts(self) -> tuple[Any, ...]:
+        """What its class is called with."""
+        return (self.__dict__["function"],)
+
+    def __reduce__(self) -> Any:
+        """For ``pickle``: by its name, where a decorator has put it in the place of its function in a module."""
+        found: Any = sys.modules.get(self.__module__) if self.__module__ != "__main__" else None
+        for name in getattr(self, "__qualname__", "<none>").split("."):
+            found = getattr(found, name, None)
+        return self.__qualname__ if found is self else (type(self), self._parts())
+
+    def __repr__(self) -> str:
+        function = self._parts()[0]
+        return f"<{type(self).__name__} {getattr(function, '__name__', type(function).__name__)}>"
+
+
+class Restitution(_OfFunction):
     """A law of restitution: the coefficient ε in [0, 1] for an impact speed. Made by `restitution`."""
 
     def __init__(self, function: Callable[[float], float]) -> None:
         if not callable(function):
-            raise InputError(f"restitution: is {function!r}; it must be a function of the impact speed")
+            raise wrong_type("restitution", function, "a function of the impact speed")
         self.function = function
         functools.update_wrapper(self, function)
 
@@ -181,12 +205,12 @@ class Restitution:
         return jpype.JProxy(java("daphnis.core.collision.Restitution"), dict=calls)
 
 
-class Roughness:
+class Roughness(_OfFunction):
     """A law of tangential restitution: the coefficient β in [−1, 1] of a `Contact`. Made by `roughness`."""
 
     def __init__(self, function: Callable[[Contact], float]) -> None:
         if not callable(function):
-            raise InputError(f"roughness: is {function!r}; it must be a function of the contact")
+            raise wrong_type("roughness", function, "a function of the contact")
         self.function = function
         functools.update_wrapper(self, function)
 
@@ -208,12 +232,12 @@ class Roughness:
         return jpype.JProxy(java("daphnis.core.surface.Roughness"), dict=calls)
 
 
-class ContactLaw:
+class ContactLaw(_OfFunction):
     """A law of both coefficients, (ε, β) of a `Contact`. Made by `contact_law`."""
 
     def __init__(self, function: Callable[[Contact], tuple[float, float]]) -> None:
         if not callable(function):
-            raise InputError(f"contact_law: is {function!r}; it must be a function of the contact")
+            raise wrong_type("contact_law", function, "a function of the contact")
         self.function = function
         functools.update_wrapper(self, function)
 
@@ -281,7 +305,7 @@ def _given(name: str, value: Any, shape: tuple[int, ...]) -> Any:
     return value
 
 
-class Force:
+class Force(_OfFunction):
     """A force that changes velocities. Made by `kick` or `acceleration`."""
 
     def __init__(
@@ -292,7 +316,7 @@ class Force:
     ) -> None:
         for what in (function, potential):
             if what is not None and not callable(what):
-                raise InputError(f"force: is {what!r}; it must be a function")
+                raise wrong_type("force", what, "a function")
         self.function = function
         self.potential = potential
         self._takes_duration = takes_duration
@@ -300,6 +324,9 @@ class Force:
 
     def __call__(self, *arguments: Any) -> ArrayLike:
         return self.function(*arguments)
+
+    def _parts(self) -> tuple[Any, ...]:
+        return self.function, self._takes_duration, self.potential
 
     def change(self, spheres: Spheres, time: float, duration: float) -> NDArray[np.float64]:
         """The change of the velocities in `duration`, shape (n, 3)."""
@@ -347,9 +374,9 @@ class Force:
         return jpype.JProxy(java("daphnis.core.force.Force"), dict=calls)
 
 
-Law = Restitution | Callable[[float], float]
-Surface = Roughness | Callable[[Contact], float]
-BothLaw = ContactLaw | Callable[[Contact], "tuple[float, float]"]
+Law = Callable[[float], float]
+Surface = Callable[[Contact], float]
+BothLaw = Callable[[Contact], "tuple[float, float]"]
 
 
 def restitution(function: Callable[[float], float]) -> Restitution:
@@ -463,15 +490,6 @@ def as_laws(restitution: Law | None, roughness: Surface | None, contact: BothLaw
         roughness if roughness is None or isinstance(roughness, Roughness) else Roughness(roughness),
         contact if contact is None or isinstance(contact, ContactLaw) else ContactLaw(contact),
     )
-
-
-def as_forces(forces: Sequence[Force]) -> list[Force]:
-    if isinstance(forces, Force) or not isinstance(forces, Sequence):
-        raise InputError("forces: must be a list of what daphnis.kick or daphnis.acceleration made")
-    for force in forces:
-        if not isinstance(force, Force):
-            raise InputError(f"forces: {force!r} is not what daphnis.kick or daphnis.acceleration made")
-    return list(forces)
 
 
 def fingerprint(*parts: Any) -> str:

@@ -6,6 +6,7 @@ import os
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from ._arguments import checked
 from ._errors import InputError, translated
 from ._jvm import java, java_path
 from ._version import __version__
@@ -15,6 +16,7 @@ if TYPE_CHECKING:
     from MDAnalysis import Universe
 
 
+@checked
 def universe(run: Run | str | os.PathLike[str], file: str | os.PathLike[str] | None = None) -> Universe:
     """An ``MDAnalysis.Universe`` of all states of a run, through an H5MD file that is written for it.
 

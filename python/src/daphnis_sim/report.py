@@ -5,15 +5,18 @@ from __future__ import annotations
 import os
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
-from typing import Any
+from typing import Any, Protocol
 
 import numpy as np
 import pandas as pd
 
 from . import _arrays
+from ._arguments import checked, wrong_type
 from ._errors import InputError, noted, translated
 from ._jvm import java, java_path
 from ._paths import shown_path
+from .scenarios import ScenarioLike
+from .scenarios import scenario as as_scenario
 from .tables import Tables, read_table
 
 _MOST = 100_000
@@ -83,13 +86,13 @@ class Report:
         """The numbers of the report, indexed by the keys of docs/analysis.md.
 
         Columns: ``value``; ``standard_error``, NaN where none can be given; ``unit``; ``reference``, what is published,
-        else NaN, and ``reference_error`` of that; ``remark``, why there is no error, else empty.
+        else NaN, and ``reference_bound``, how far off that may be; ``remark``, why there is no error, else empty.
         """
         table = read_table(self.path / "tables" / "numbers.csv").set_index("quantity")
         for name in ("unit", "remark"):
             # As objects, since a column that is empty throughout is read as numbers.
             table[name] = table[name].astype(object).fillna("").astype(str)
-        floats = ("value", "standard_error", "reference", "reference_error")
+        floats = ("value", "standard_error", "reference", "reference_bound")
         return table.astype({name: float for name in floats if name in table})
 
     @property
@@ -113,13 +116,20 @@ class Report:
         return str(self.numbers.to_html(na_rep="", float_format=lambda value: f"{value:.5g}"))
 
     def __repr__(self) -> str:
-        return f"<Report {shown_path(self.html)!r}, {len(self.numbers)} numbers>"
+        return f"<Report {shown_path(self.html)!r}>"
 
 
+class _InDirectory(Protocol):
+    """What has a directory: a `Run`."""
+
+    path: Path
+
+
+@checked
 def analyze(
-    what: Any,
+    what: _InDirectory | str | os.PathLike[str],
     *,
-    scenario: Any = None,
+    scenario: ScenarioLike | None = None,
     time_step: float | None = None,
     from_: float | None = None,
     slabs: int = 0,
@@ -129,7 +139,7 @@ def analyze(
     frames: int = 40,
     elevations: Sequence[float] = (),
     azimuths: int = 12,
-    footprint: float | tuple[float, float] | None = None,
+    footprint: float | Sequence[float] | None = None,
     scan_path: float = 0.0,
     photons: float | None = None,
     observed: str | os.PathLike[str] | None = None,
@@ -162,10 +172,11 @@ def analyze(
         InputError: something above is wrong.
         FormatError: a file is damaged.
     """
-    from .scenarios import scenario as as_scenario
-
     _check(slabs, groups, elevation, azimuth, frames)
-    path = Path(getattr(what, "path", what))
+    place = what if isinstance(what, (str, os.PathLike)) else getattr(what, "path", None)
+    if not isinstance(place, (str, os.PathLike)):
+        raise wrong_type("what", what, "a Run, or a path of a run directory or of a file of states")
+    path = Path(place)
     there = java_path(path)
     inputs = java("daphnis.analysis.input.AnalysisInput")
     with translated():
@@ -194,7 +205,7 @@ def analyze(
 def _light(
     elevations: Sequence[float],
     azimuths: int,
-    footprint: float | tuple[float, float] | None,
+    footprint: float | Sequence[float] | None,
     scan_path: float,
     photons: float | None,
     observed: str | os.PathLike[str] | None,
@@ -204,7 +215,7 @@ def _light(
     if footprint is None:
         seen = None
     else:
-        sizes = footprint if isinstance(footprint, tuple) else (footprint,)
+        sizes = (footprint,) if isinstance(footprint, (int, float)) else footprint
         if len(sizes) not in (1, 2) or not all(0 < size < float("inf") for size in sizes):
             raise InputError(f"footprint: is {footprint}; it must be a length > 0, or two such")
         seen = kind.disc(float(sizes[0])) if len(sizes) == 1 else kind.rectangle(*map(float, sizes))

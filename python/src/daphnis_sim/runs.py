@@ -10,11 +10,15 @@ from typing import Any
 
 import pandas as pd
 
+from ._arguments import checked
 from ._errors import FormatError, InputError, translated
+from ._execution import Watch
 from ._jvm import java, java_path
 from ._paths import shown_path
-from .report import Report, analyze
-from .scenarios import Scenario, Units
+from .laws import BothLaw, Force, Law, Surface
+from .report import Report
+from .report import analyze as _analyze
+from .scenarios import Scenario, ScenarioLike, Settings, Units
 from .states import State, States
 from .tables import Tables, read_table
 from .view import View
@@ -30,6 +34,7 @@ class Run:
         notices: what a user should know about its start, a line each.
     """
 
+    @checked
     def __init__(self, path: str | os.PathLike[str], notices: Sequence[str] = ()) -> None:
         self.path = Path(os.path.abspath(path))
         self.notices = list(notices)
@@ -145,6 +150,7 @@ class Run:
         """All states in the order of time, each read when the iteration comes to it; ``states()[-1]`` is the last."""
         return States(self)
 
+    @checked
     def at(self, time: float | None = None, *, orbits: float | None = None) -> State:
         """The state at `time`, in units of time, or after a number of `orbits`; round-off of 1e-9 is allowed.
 
@@ -160,6 +166,7 @@ class Run:
         with translated():
             return State(self._java.at(float(time)), self._known_units, self)
 
+    @checked
     def at_step(self, step: int) -> State:
         """The state after `step` steps. Raises InputError if there is none."""
         with translated():
@@ -170,9 +177,7 @@ class Run:
         with translated():
             return State(self._java.last(), self._known_units, self)
 
-    def analyze(self, **options: Any) -> Report:
-        """`daphnis.analyze` of this run, with its options."""
-        return analyze(self, **options)
+    analyze = _analyze
 
     @property
     def report(self) -> Report:
@@ -181,6 +186,7 @@ class Run:
             raise InputError(f"{self.path}: has no report yet; analyze() writes it")
         return Report(self.path, [])
 
+    @checked
     def view(self, height: int = 850) -> View:
         """A page that shows the states in 3-D, as ``daphnis view`` does, in a frame of `height` pixels.
 
@@ -189,11 +195,26 @@ class Run:
         with translated():
             return View(java("daphnis.app.live.ViewPage").inNotebook(self._java), height)
 
-    def resume(self, **options: Any) -> Run:
-        """`daphnis.resume` of this run, with its options."""
+    @checked
+    def resume(
+        self,
+        scenario: ScenarioLike | None = None,
+        *,
+        set: Settings | None = None,
+        until: float | None = None,
+        accept_loss: bool = False,
+        restitution: Law | None = None,
+        roughness: Surface | None = None,
+        contact_law: BothLaw | None = None,
+        forces: Sequence[Force] = (),
+        watch: Watch | None = None,
+        progress: bool | None = None,
+    ) -> Run:
+        """`daphnis.resume` of this run, with its arguments."""
         from .starting import resume
 
-        return resume(self.path, **options)
+        given = {name: value for name, value in locals().items() if name not in ("self", "resume")}
+        return resume(self.path, **given)
 
     def _repr_html_(self) -> str:
         entries = self._entries() or {}
@@ -203,10 +224,15 @@ class Run:
         )
         return str(column.to_frame().to_html(header=False))
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        """For ``pickle``: by its path, since everything is in its directory. Unpickling starts Java."""
+        return Run, (str(self.path), self.notices)
+
     def __repr__(self) -> str:
         return f"<Run {shown_path(self.path)!r}>"
 
 
+@checked
 def open(path: str | os.PathLike[str]) -> Run:
     """The run in the directory `path`, finished or still going on. Raises InputError if there is none."""
     return Run(path)

@@ -11,18 +11,16 @@ from typing import Any, Union
 
 import numpy as np
 
+from ._arguments import checked
 from ._errors import InputError, translated
 from ._jvm import java, java_path
 
 Settings = Mapping[str, Any]
 """Values for keys of a scenario, such as ``{"timeStep.dt": 0.05, "forces[0].massRatio": 1e-11}``."""
 
-ScenarioLike = Union["Scenario", str, "os.PathLike[str]", Mapping[str, Any]]
-"""A scenario, the name of a built-in one, the path of a file, or what such a file holds."""
-
 
 class Scenario:
-    """A scenario with all its keys. Made by `scenario`; it does not change."""
+    """A scenario with all its keys. Made by `scenario`; it does not change, and it can be pickled."""
 
     def __init__(self, java_scenario: Any, source: str) -> None:
         self._java = java_scenario
@@ -42,6 +40,7 @@ class Scenario:
         found: dict[str, Any] = json.loads(self.json)
         return found
 
+    @checked
     def write(self, path: str | os.PathLike[str]) -> None:
         """Writes it as a file, for the command line too. A file of that name is replaced."""
         Path(path).write_text(self.json, encoding="utf-8")
@@ -97,8 +96,22 @@ class Scenario:
         """What messages call it."""
         return self._source
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        """For ``pickle``: as JSON. Unpickling starts Java."""
+        return _parsed, (self.json, self._source)
+
     def __repr__(self) -> str:
         return f"<Scenario {self.name!r}>"
+
+
+ScenarioLike = Union[Scenario, str, os.PathLike[str], Mapping[str, Any]]
+"""A scenario, the name of a built-in one, the path of a file, or what such a file holds."""
+
+
+def _parsed(text: str, source: str) -> Scenario:
+    """The scenario in the JSON `text`, whose paths are absolute."""
+    with translated():
+        return Scenario(java("daphnis.core.scenario.ScenarioJson").parse(text, source, _list([])), source)
 
 
 class Units:
@@ -121,12 +134,16 @@ class Units:
             unit = unit.replace(word, name)
         return unit
 
+    def __repr__(self) -> str:
+        return f"<Units length {self.length!r}, time {self.time!r}, mass {self.mass!r}>"
+
 
 def scenarios() -> list[str]:
     """Names of the built-in scenarios."""
     return [str(name) for name in java("daphnis.core.scenario.BuiltIn").getNames()]
 
 
+@checked
 def scenario(what: ScenarioLike, *, set: Settings | None = None, seed: int | None = None) -> Scenario:
     """A built-in scenario, one of a file, or one of a dict.
 
@@ -164,8 +181,6 @@ def _read(what: ScenarioLike, settings: list[str]) -> tuple[Any, str]:
         source = "scenario"
         found = parser.parse(_json(what, source), source, _list(settings))
         return _at_home(found, Path.cwd()), source
-    if not isinstance(what, (str, os.PathLike)):
-        raise InputError(f"scenario: is {what!r}; it must be a name, a path, a dict or a Scenario")
     word = os.fspath(what)
     built_in = java("daphnis.core.scenario.BuiltIn")
     if isinstance(what, str) and word in [str(name) for name in built_in.getNames()] and not Path(word).is_file():

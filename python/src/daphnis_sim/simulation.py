@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from types import TracebackType
-from typing import Any
+from typing import Any, NoReturn
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _arrays, laws
+from ._arguments import checked
 from ._errors import InputError, PythonFailure, RunError, noted, translated
 from ._interrupts import CtrlC
 from ._jvm import java
@@ -66,6 +67,7 @@ class Simulation:
             scenario is wrong.
     """
 
+    @checked
     def __init__(
         self,
         scenario: ScenarioLike,
@@ -89,7 +91,6 @@ class Simulation:
         forces: Sequence[Force] = (),
     ) -> None:
         given = laws.as_laws(restitution, roughness, contact_law)
-        kicks = laws.as_forces(forces)
         begin = None if time is None else float(_arrays.numbers("time", time, ()))
         settings = dict(set or {})
         settings.setdefault("engine.name", "serial")
@@ -140,7 +141,7 @@ class Simulation:
                 self.scenario.source,
                 setup.getPopulation(),
                 given,
-                kicks,
+                forces,
                 self._failure,
                 records=False,
                 time=start,
@@ -330,6 +331,9 @@ class Simulation:
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
         self.close()
+
+    def __reduce__(self) -> NoReturn:
+        raise TypeError("a Simulation lives in the Java of its process, it cannot be copied or sent; state() can")
 
     def __repr__(self) -> str:
         return f"<Simulation of {len(self)} spheres at time {self.time:.10g}, step {self.step}>"

@@ -10,6 +10,7 @@ from typing import Any, Union
 import jpype
 
 from . import laws
+from ._arguments import checked
 from ._errors import InputError, PythonFailure, translated
 from ._execution import Watch, carried_out
 from ._jvm import java, java_path
@@ -25,6 +26,7 @@ Origin = Union[Run, State, str, "os.PathLike[str]"]
 _OF_STATE = ("seed", "particles", "bodies", "placement", "velocities", "spins")
 
 
+@checked
 def run(
     scenario: ScenarioLike | None = None,
     out: str | os.PathLike[str] | None = None,
@@ -77,7 +79,6 @@ def run(
     if until is not None and steps is not None:
         raise InputError("steps: is given together with until; one of the two is enough")
     given = laws.as_laws(restitution, roughness, contact_law)
-    kicks = laws.as_forces(forces)
     origin = None if from_ is None else _origin(from_)
     if origin is not None:
         _check_state(set, seed)
@@ -92,7 +93,7 @@ def run(
     settings = fitted(scenario, settings, given)
     asked = as_scenario(scenario, set=settings, seed=seed)
     directory = _free(asked.name) if out is None else Path(out)
-    if not given and not kicks:
+    if not given and not forces:
         if origin is not None:
             _check_end(asked, origin, until is not None or steps is not None)
 
@@ -105,7 +106,7 @@ def run(
     if origin is not None:
         raise InputError("from_: a run with laws or forces of Python starts from its scenario; give placement a file")
     failure = PythonFailure()
-    program = Program(asked, given, kicks, failure)
+    program = Program(asked, given, forces, failure)
     return _carried(
         lambda: java("daphnis.core.run.Run").start(program.proxy(), java_path(directory), force),
         directory,
@@ -115,6 +116,7 @@ def run(
     )
 
 
+@checked
 def resume(
     path: str | os.PathLike[str],
     scenario: ScenarioLike | None = None,
@@ -152,8 +154,7 @@ def resume(
     """
     directory = Path(path)
     given = laws.as_laws(restitution, roughness, contact_law)
-    kicks = laws.as_forces(forces)
-    if not given and not kicks:
+    if not given and not forces:
         if scenario is not None or set is not None:
             raise InputError("scenario: is for runs with laws or forces of Python; others have theirs")
 
@@ -167,7 +168,7 @@ def resume(
     settings = dict(set or {})
     settings = fitted(scenario, settings, given)
     failure = PythonFailure()
-    program = Program(as_scenario(scenario, set=settings), given, kicks, failure, until)
+    program = Program(as_scenario(scenario, set=settings), given, forces, failure, until)
     return _carried(
         lambda: java("daphnis.core.run.Run").resume(program.proxy(), java_path(directory), accept_loss),
         directory,
@@ -194,8 +195,6 @@ def _origin(origin: Origin) -> Any:
         origin = Run(origin)
     if isinstance(origin, Run):
         origin = origin.last()
-    if not isinstance(origin, State):
-        raise InputError(f"from_: is {origin!r}; it must be a State, a Run or the path of one")
     if origin.run is None:
         raise InputError("from_: is a state of no run directory; a Simulation takes its arrays")
     return java("daphnis.core.run.RunOrigin")(origin.run.java, origin.java)

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _arrays
+from ._arguments import checked
 from ._errors import InputError, translated
 from ._jvm import java, java_path
 from ._paths import shown_path
@@ -248,6 +249,19 @@ class State:
         ends = self.position[:, axis]
         return float((ends - self.radius).min()), float((ends + self.radius).max())
 
+    def __copy__(self) -> State:
+        """The same arrays."""
+        other = State(self._java, self.units, self.run)
+        other.__dict__.update(self.__dict__)
+        return other
+
+    def __deepcopy__(self, known: dict[int, Any]) -> State:
+        """Arrays of its own, with what was written to them."""
+        other = self.__copy__()
+        arrays = {name: value.copy() for name, value in self.__dict__.items() if isinstance(value, np.ndarray)}
+        other.__dict__.update(arrays)
+        return other
+
     def __reduce__(self) -> tuple[Any, ...]:
         """For ``pickle``: all numbers with their bits, and the units, but not the run. Unpickling starts Java."""
         with tempfile.TemporaryDirectory() as directory:
@@ -292,6 +306,7 @@ class States:
     def __len__(self) -> int:
         return len(self._run.steps)
 
+    @checked
     def __getitem__(self, k: int) -> State:
         return self._run.at_step(self._run.steps[k])
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, NoReturn
 
 from ._errors import translated
 
@@ -29,6 +29,9 @@ class View:
 
     def _repr_html_(self) -> str:
         return f'<iframe src="{self.address}" width="100%" height="{self.height}" style="border: 0"></iframe>'
+
+    def __reduce__(self) -> NoReturn:
+        raise TypeError("a View is served by its process, it cannot be copied or sent; its address can")
 
     def __repr__(self) -> str:
         return f"<View {self.address}>"

@@ -50,6 +50,26 @@ class DenseGasTest {
         assertPhysics("Z, crystal, φ = 0.5433", 11.148, seen.average { it.z }, if (fullPhysics) 9e-4 else 3e-3)
     }
 
+    /**
+     * D in the limit of many spheres, which is D + 2.837297 kT/(6π (η + ρD) L) ([FiniteCube in daphnis-analysis]), with
+     * [viscosity] η as `HelfandGasTest` has it. Speedy 1987 (Mol. Phys. 62, 509) has, with n = nσ³,
+     * D = 3/(8n √π) (1 − n/1.09) (1 + n² (0.4 − 0.83 n²)).
+     */
+    private fun assertDiffusion(filling: Double, speedy: Double, viscosity: Double) {
+        val n = filling * 6 / Math.PI
+        val collisions = if (fullPhysics) 3_000_000 else 300_000
+        val seen = runs(n, if (fullPhysics) 4 else 1, collisions, walks = true).average { it.diffusion }
+        val lacking = 2.837297 / (6 * Math.PI * (viscosity + n * seen) * Math.cbrt(COUNT / n))
+        assertPhysics("D∞, φ = $filling", speedy, seen + lacking, if (fullPhysics) 0.02 else 0.05)
+    }
+
+    @Test
+    fun `diffusion of a thin, a dense and a denser fluid is that of many spheres`() {
+        assertDiffusion(0.157, 0.5265, 0.326)
+        assertDiffusion(0.4, 0.0788, 1.76)
+        assertDiffusion(0.419, 0.0644, 2.11)
+    }
+
     private fun runs(density: Double, seeds: Int, collisions: Int, walks: Boolean = false): List<Seen> {
         val seen = (1L..seeds).map { run(density, it, collisions, walks) }
         if (fullPhysics) {

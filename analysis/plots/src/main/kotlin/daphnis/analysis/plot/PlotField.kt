@@ -59,7 +59,15 @@ internal class PlotField(
             above += spareY
             bottom -= spareY
         }
-        val frame = PlotFrame(xSpan.axis, ySpan.axis, xSpan.ticks, ySpan.ticks, left, end, above, bottom)
+        val columns = if (isFixed) {
+            xSpan.fitting(end - left) {
+                NUMBER * TextWidth.of(it) + PlotFrame.GAP
+            }
+        } else {
+            xSpan.ticks
+        }
+        val rows = if (isFixed) ySpan.fitting(bottom - above) { NUMBER + PlotFrame.GAP } else ySpan.ticks
+        val frame = PlotFrame(xSpan.axis, ySpan.axis, columns, rows, left, end, above, bottom)
         frame.grid(sheet, NUMBER)
         val lowest = bottom + NUMBER + PlotFrame.GAP + below.lines().size * LABEL * PlotFrame.LINE_HEIGHT
         frame.titles(sheet, below, beside, LABEL, lowest, left - room)
@@ -68,6 +76,12 @@ internal class PlotField(
 
     /** What one axis shows. */
     private class Span(val axis: Axis, val ticks: Ticks, val length: Double) {
+        /** As many round places as have [room] for their labels, each of which takes its [part] of it. */
+        fun fitting(room: Double, part: (String) -> Double): Ticks = (WANTED downTo 1).asSequence()
+            .map { Ticks.linear(axis.from, axis.to, it) }
+            .firstOrNull { fewer -> fewer.places.size > 1 && fewer.places.size * fewer.labels.maxOf(part) <= room }
+            ?: Ticks.linear(axis.from, axis.to, 1)
+
         companion object {
             operator fun invoke(values: List<Double>, log: Boolean, marks: NamedMarks? = null): Span {
                 val low = minOf(values.minOrNull() ?: 1.0, marks?.from ?: Double.POSITIVE_INFINITY)

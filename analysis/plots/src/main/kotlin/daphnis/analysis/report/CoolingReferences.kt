@@ -9,14 +9,14 @@ import daphnis.core.scenario.Scenario
 /** What theory knows of a gas of equal smooth spheres that nothing but collisions of one restitution cools. */
 internal object CoolingReferences {
     /** What correlated velocities add to a₂ and leave out of the rate, as in a heated gas. */
-    private const val CUMULANT_ERROR = 0.005 / 3
+    private const val CUMULANT_BOUND = 0.005
     private const val SOURCE = "van Noije & Ernst 1998"
 
     /** a₂ while it cools evenly. */
     fun of(scenario: Scenario, last: State): Map<String, Reference> {
         val restitution = restitution(scenario, last) ?: return emptyMap()
         val a2 = CoolingGas.fourthCumulant(restitution)
-        return mapOf("velocity_a2" to Reference(a2, CUMULANT_ERROR, SOURCE))
+        return mapOf("velocity_a2" to Reference(a2, CUMULANT_BOUND, SOURCE))
     }
 
     /** Haff's law from the first point of the [temperature] on, both in units of [scale]; null for another gas. */

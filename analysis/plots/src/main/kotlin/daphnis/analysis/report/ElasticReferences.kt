@@ -16,25 +16,23 @@ import kotlin.math.sqrt
 
 /**
  * What theory knows of elastic gases at rest in periodic boxes: collision rate, compressibility and coefficients of
- * transport, by [NumberRow.key]. Each has its formula's own accuracy as its error, and is given in its range only.
+ * transport, by [NumberRow.key]. Each has its formula's own accuracy as its bound, and is given in its range only.
  */
 internal object ElasticReferences {
     /** Most kinds of spheres for which pairs of kinds are summed. */
     private const val MOST_KINDS = 64
 
-    /**
-     * Third of a bound of Enskog's coefficients up to [EnskogGas.MOST_FILLED], relative; of the equation of mixtures.
-     */
-    private const val ENSKOG_ERROR = 0.1 / 3
-    private const val BULK_ERROR = 0.3 / 3
-    private const val MIXTURE_ERROR = 0.005 / 3
+    /** Of Enskog's coefficients up to [EnskogGas.MOST_FILLED], relative; of the equation of mixtures. */
+    private const val ENSKOG_BOUND = 0.1
+    private const val BULK_BOUND = 0.3
+    private const val MIXTURE_BOUND = 0.005
 
-    /** Of N spheres pressure is lower, relatively by about this over N at a filling factor of 0.3. */
-    private const val FEW = 0.3
-    private const val LUDING_ERROR = 2e-3
+    /** Of N spheres pressure is lower, relatively by up to this over N at a filling factor of 0.3. */
+    private const val FEW = 0.9
+    private const val LUDING_BOUND = 6e-3
 
     /** Of the first correction for few spheres, what the next ones may be. */
-    private const val BEYOND_FIRST = 0.1
+    private const val BEYOND_FIRST = 0.3
     private const val MOST_LUDING = 0.65
     private const val KOLAFA = "Kolafa, Labík & Malijevský 2004"
     private const val SPEEDY = "Speedy 1998"
@@ -68,8 +66,8 @@ internal object ElasticReferences {
     private fun ofFluid(p: Population, filling: Double, temperature: Double): Map<String, Reference> {
         val z = HardSpheres.kolafaLabikMalijevsky(filling, p.size)
         val few = z - HardSpheres.kolafaLabikMalijevsky(filling)
-        val error = hypot(HardSpheres.KOLAFA_LABIK_MALIJEVSKY_ACCURACY * z, BEYOND_FIRST * few)
-        return ofSpheres(p, filling, temperature, z, error, KOLAFA) + ofTransport(p, filling, temperature)
+        val bound = hypot(HardSpheres.KOLAFA_LABIK_MALIJEVSKY_ACCURACY * z, BEYOND_FIRST * few)
+        return ofSpheres(p, filling, temperature, z, bound, KOLAFA) + ofTransport(p, filling, temperature)
     }
 
     private fun ofCrystal(p: Population, filling: Double, temperature: Double): Map<String, Reference> {
@@ -86,13 +84,13 @@ internal object ElasticReferences {
         filling: Double,
         temperature: Double,
         z: Double,
-        error: Double,
+        bound: Double,
         source: String,
     ): Map<String, Reference> {
         val rate = 6 * sqrt(temperature / PI) * (z - 1) / (2 * p.radius[0]) * (1 + 1.0 / (12 * p.size))
         return mapOf(
-            "collisions_per_particle" to Reference(rate, rate * error / (z - 1), source),
-            "compressibility" to Reference(z, error, source),
+            "collisions_per_particle" to Reference(rate, rate * bound / (z - 1), source),
+            "compressibility" to Reference(z, bound, source),
         )
     }
 
@@ -101,11 +99,11 @@ internal object ElasticReferences {
         val diameter = 2 * p.radius[0]
         val mass = p.mass[0]
         val thermal = mass * temperature
-        fun enskog(value: Double, error: Double) = Reference(value, error * value, ENSKOG)
+        fun enskog(value: Double, bound: Double) = Reference(value, bound * value, ENSKOG)
         return mapOf(
-            "viscosity_helfand" to enskog(EnskogGas.viscosity(diameter, mass, filling, thermal), ENSKOG_ERROR),
-            "bulk_viscosity_helfand" to enskog(EnskogGas.bulkViscosity(diameter, mass, filling, thermal), BULK_ERROR),
-            "conductivity_helfand" to enskog(EnskogGas.conductivity(diameter, mass, filling, thermal), ENSKOG_ERROR),
+            "viscosity_helfand" to enskog(EnskogGas.viscosity(diameter, mass, filling, thermal), ENSKOG_BOUND),
+            "bulk_viscosity_helfand" to enskog(EnskogGas.bulkViscosity(diameter, mass, filling, thermal), BULK_BOUND),
+            "conductivity_helfand" to enskog(EnskogGas.conductivity(diameter, mass, filling, thermal), ENSKOG_BOUND),
         )
     }
 
@@ -115,10 +113,10 @@ internal object ElasticReferences {
         val z = HardDiscs.luding(filling)
         val contact = (z - 1) / (2 * filling)
         val rate = 2 * sqrt(PI * temperature) * density * contact * 2 * p.radius[0]
-        val error = hypot(LUDING_ERROR * z, z / p.size)
+        val bound = hypot(LUDING_BOUND * z, 3 * z / p.size)
         return mapOf(
-            "collisions_per_particle" to Reference(rate, error / (z - 1) * rate, "Enskog, χ of $LUDING"),
-            "compressibility" to Reference(z, error, LUDING),
+            "collisions_per_particle" to Reference(rate, bound / (z - 1) * rate, "Enskog, χ of $LUDING"),
+            "compressibility" to Reference(z, bound, LUDING),
         )
     }
 
@@ -128,7 +126,7 @@ internal object ElasticReferences {
         val mixture = HardSphereMixture(DoubleArray(kinds.size) { 2 * kinds[it].key.first }, share)
         if (mixture.filling > HardSpheres.FREEZING) return emptyMap()
         val z = mixture.compressibility
-        val pressure = mapOf("compressibility" to Reference(z, hypot(MIXTURE_ERROR, FEW / p.size) * z, MIXTURE))
+        val pressure = mapOf("compressibility" to Reference(z, hypot(MIXTURE_BOUND, FEW / p.size) * z, MIXTURE))
         if (kinds.size > MOST_KINDS) return pressure
         val thermal = temperature * p.mass.average()
         var rate = 0.0
@@ -140,7 +138,7 @@ internal object ElasticReferences {
                 rate += share[i] / density * share[j] * reach * reach * speed * mixture.contactValue(i, j)
             }
         }
-        val error = hypot(MIXTURE_ERROR, FEW / p.size) * z / abs(z - 1)
-        return pressure + ("collisions_per_particle" to Reference(rate, error * rate, "Enskog, χ of $MIXTURE"))
+        val bound = hypot(MIXTURE_BOUND, FEW / p.size) * z / abs(z - 1)
+        return pressure + ("collisions_per_particle" to Reference(rate, bound * rate, "Enskog, χ of $MIXTURE"))
     }
 }

@@ -58,8 +58,8 @@ internal class FluidNumbers(private val study: Study) : Section {
             }
         val source = if (isPlane) EquationOfState.HENDERSON else EquationOfState.CARNAHAN
         return mapOf(
-            "structure_factor_zero" to Reference(zero, ZERO_BOUND / 3 * zero, source),
-            "contact_value" to Reference(contact, CONTACT_BOUND / 3 * contact, source),
+            "structure_factor_zero" to Reference(zero, ZERO_BOUND * zero, source),
+            "contact_value" to Reference(contact, CONTACT_BOUND * contact, source),
         )
     }
 

@@ -89,7 +89,7 @@ internal class MixturePart(private val study: Study, private val kinds: NamedGro
             HardSphereMixture(diameters, densities).contactValue(pair.first, pair.second)
         }
         val source = if (dimensions == 2) "Jenkins & Mancini 1987" else "Boublík 1970, Mansoori & al. 1971"
-        return Reference(value, BOUND / 3 * value, source)
+        return Reference(value, BOUND * value, source)
     }
 
     private companion object {

@@ -26,17 +26,16 @@ internal class OccultationSection(private val study: Study) : Section {
         Averages({ state -> casting.cast(state).let { doubleArrayOf(it.transmission) + places(it.scan()) } })
 
     override val heading = "Occultation"
-    override val over = "What a star behind the patch would show. ${study.overAverages}"
-    override val leftOut = if (study.isSlab) {
-        study.tooFew()
-    } else {
-        study.last.boundary.space.let {
-            when {
-                it.isPlane -> "discs in a plane have no height"
-                study.isRoomCut -> Study.ROOM_CUT
-                else -> "the box is filled above and below"
-            }
-        }
+    override val over = "What a star behind the ${study.place} would show. ${study.overAverages}"
+
+    // Of grains in a box nobody wants it, unless they say so.
+    override val applies = study.isRing || study.isLit || options.occultation.isAsked
+    override val leftOut = when {
+        study.isLit -> study.tooFew()
+        study.last.boundary.space.isPlane -> "discs in a plane have no height"
+        study.isRoomCut -> Study.ROOM_CUT
+        study.last.boundary.repeats(2) -> "the box is filled above and below"
+        else -> "there is no ring: the scenario has no frame"
     }
 
     /** What is asked for beside. */
@@ -95,7 +94,9 @@ internal class OccultationSection(private val study: Study) : Section {
     private fun scan(page: ReportPage) {
         val n = light.width - 1
         if (n < FEWEST_PLACES) {
-            page.paragraph("No scan along x: the patch is so long for its width that too few rays pass side by side.")
+            page.paragraph(
+                "No scan along x: the ${study.place} is so long for its width that too few rays pass side by side.",
+            )
             return
         }
         val box = study.boxes.mean

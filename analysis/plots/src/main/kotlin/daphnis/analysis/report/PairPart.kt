@@ -4,6 +4,7 @@ import daphnis.analysis.correlation.PairCorrelation
 import daphnis.analysis.insitu.Averages
 import daphnis.analysis.insitu.State
 import daphnis.analysis.table.UnitNames
+import kotlin.math.abs
 
 /** The pair correlation, in space or in the plane. */
 internal class PairPart(private val study: Study) : Part {
@@ -27,7 +28,18 @@ internal class PairPart(private val study: Study) : Part {
         val argument = if (isInPlane) "distance in the plane" else "distance r"
         val curve = AveragedCurve("pair-correlation", "pair correlation", "g", argument, "r", units.length)
         val x = DoubleArray(pairs.bins) { pairs.centre(it) }
-        curve.write(study, page, x, averages, text)
+        curve.write(study, page, x, averages, text + farAway())
+    }
+
+    /** Why g does not tend to 1 where particles do not fill the patch evenly. */
+    private fun farAway(): String {
+        if (averages.size == 0) return ""
+        val mean = (FAR until BINS).map { averages.average(it).mean }.average()
+        if (!(abs(mean - 1) > UNEVEN)) return ""
+        return " At the longest of these distances g is about ${ReportText.short(
+            mean,
+        )}, not 1, since the density varies " +
+            "over longer distances than these: pairs are of particles, and more of them are where it is high."
     }
 
     private val text get() = when {
@@ -45,6 +57,10 @@ internal class PairPart(private val study: Study) : Part {
     private companion object {
         const val RADII = 8.0
         const val BINS = 80
+
+        /** The last eighth of the bins, and by how much g is to be off there to be explained. */
+        const val FAR = 70
+        const val UNEVEN = 0.05
         const val IN_PLANE = "Pair correlation in the x-y plane: pairs at a distance seen along z, over those of " +
             "particles without correlation. Spheres one above the other are nearer than contact in this view, " +
             "so that g is not 0 there."

@@ -71,8 +71,8 @@ internal class ProfilesSection(private val study: Study) : Section {
     }
 
     private fun densities(page: ReportPage, across: Table, overHeight: Table?) {
-        val (column, caption) = if (study.isSlab) {
-            "optical_depth" to "Optical depth across the patch."
+        val (column, caption) = if (study.isLit) {
+            "optical_depth" to "Optical depth across the ${study.place}."
         } else {
             "filling_factor" to "${if (isOfDiscs) "Area fraction" else "Filling factor"} along x."
         }
@@ -122,7 +122,7 @@ internal class ProfilesSection(private val study: Study) : Section {
             )
         }
         val label = UnitNames.axis("velocity dispersion", scale.speedName)
-        val where = if (isAcrossY) "across the flow" else "across the patch"
+        val where = if (isAcrossY) "across the flow" else "along ${if (study.isRing) "the radius" else "x"}"
         val said = "velocity dispersions $where"
         val caption = "Velocity dispersions $where, around the mean of each bin, by number."
         study.draw(page, Chart.lines(curves, acrossAxis, label), "radial-dispersion", said, caption)
@@ -143,12 +143,12 @@ internal class ProfilesSection(private val study: Study) : Section {
                 DoubleArray(all.size) { study.judgement.error(all[it]) / unit },
             )
         }
-        val label = UnitNames.axis("granular temperature", study.scale.temperatureName)
+        val label = UnitNames.axis("mean square velocity", study.scale.temperatureName)
         val flow = WallDrive.remark(study)
-        val caption = "Granular temperature over height by component, around the mean of each bin, by number" +
-            (if (flow.isEmpty()) "." else "; $flow within a bin.")
+        val caption = "Mean square velocities over height by component, around the mean of each bin, by number" +
+            (if (flow.isEmpty()) "." else "; $flow within a bin.") + STREAMS
         val figure = Chart.lines(curves, study.lengthAxis("height z"), label)
-        study.draw(page, figure, "vertical-temperature", "granular temperature over height", caption)
+        study.draw(page, figure, "vertical-temperature", "mean square velocities over height", caption)
     }
 
     /** The flow of a sheared box as it is, beside the straight line that the boundary drives. */
@@ -179,6 +179,9 @@ internal class ProfilesSection(private val study: Study) : Section {
 
     private companion object {
         const val MOST_BINS = 60
+        const val STREAMS =
+            " Where grains stream through one another, as those that rise from a floor and those that fall " +
+                "back, ⟨c_z²⟩ is no temperature."
 
         /** Columns that are over the volume or the area of bins of the box. */
         val OF_BOX = setOf("surface_density", "optical_depth", "filling_factor")

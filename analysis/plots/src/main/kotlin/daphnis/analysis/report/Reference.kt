@@ -13,10 +13,10 @@ import kotlin.math.abs
 import kotlin.math.hypot
 import kotlin.math.sqrt
 
-/** A number from elsewhere, with one standard [error] of its own, to stand beside a measured one. */
-internal class Reference(val value: Double, val error: Double, val source: String) {
-    /** How far [measured] is from it, in joint standard errors; NaN where [ofMeasured] is not known. */
-    fun away(measured: Double, ofMeasured: Double): Double = (measured - value) / hypot(error, ofMeasured)
+/** A number from elsewhere, to stand beside a measured one; it may be off by as much as its [bound]. */
+internal class Reference(val value: Double, val bound: Double, val source: String) {
+    /** Whether [measured] with the standard error [error] agrees with it, as far as the bound and three errors tell. */
+    fun agrees(measured: Double, error: Double): Boolean = abs(measured - value) <= hypot(bound, 3 * error)
 }
 
 /**
@@ -25,8 +25,7 @@ internal class Reference(val value: Double, val error: Double, val source: Strin
  * [NumberRow.key]. There are none unless everything that decides the number is as it was there: sizes and masses,
  * restitution with its scale, forces, frame and faces.
  *
- * The independent code gave no errors. The bounds of docs/validation.md, which hold for all of its numbers, are taken
- * as three standard errors.
+ * The independent code gave no errors; the bounds of docs/validation.md hold for all of its numbers.
  */
 internal object References {
     private const val INDEPENDENT = "docs/validation.md"
@@ -91,7 +90,7 @@ internal object References {
         if (!same) return emptyMap()
         val row = PATCHES.find { abs(opticalDepth / it[0] - 1) < 0.01 } ?: return emptyMap()
         return (1 until row.size).associate {
-            PATCH_KEYS[it] to Reference(row[it], PATCH_BOUNDS[it] / 3 * row[it], INDEPENDENT)
+            PATCH_KEYS[it] to Reference(row[it], PATCH_BOUNDS[it] * row[it], INDEPENDENT)
         }
     }
 
@@ -103,9 +102,9 @@ internal object References {
         if (last.dimensions != 3) return emptyMap()
         val row = SHEARED.find { it[0] == law.coefficient && abs(filling / it[1] - 1) < 0.01 } ?: return emptyMap()
         return mapOf(
-            "reduced_temperature" to Reference(row[2], 0.03 / 3 * row[2], INDEPENDENT),
-            "reduced_pressure" to Reference(row[3], 0.04 / 3 * row[3], INDEPENDENT),
-            "reduced_shear_stress" to Reference(row[4], 0.04 / 3 * row[4], INDEPENDENT),
+            "reduced_temperature" to Reference(row[2], 0.03 * row[2], INDEPENDENT),
+            "reduced_pressure" to Reference(row[3], 0.04 * row[3], INDEPENDENT),
+            "reduced_shear_stress" to Reference(row[4], 0.04 * row[4], INDEPENDENT),
         )
     }
 
@@ -120,10 +119,10 @@ internal object References {
         val diameter = 2 * last.population.radius[0]
         val t = HeatedGas.temperature(intensity, noise.drag, law.coefficient, numberDensity, diameter)
         if (!(t > 0 && t.isFinite())) return emptyMap()
-        val temperature = mapOf("granular_temperature" to Reference(t, HEATED_BOUND / 3 * t, NOIJE))
+        val temperature = mapOf("granular_temperature" to Reference(t, HEATED_BOUND * t, NOIJE))
         if (noise.drag > 0) return temperature
         val a2 = HeatedGas.fourthCumulant(law.coefficient)
-        return temperature + ("velocity_a2" to Reference(a2, CUMULANT_BOUND / 3, NOIJE))
+        return temperature + ("velocity_a2" to Reference(a2, CUMULANT_BOUND, NOIJE))
     }
 
     /**

@@ -4,6 +4,7 @@ import daphnis.analysis.table.UnitNames
 import daphnis.core.format.oneLine
 import java.util.Base64
 import java.util.Locale
+import kotlin.math.abs
 
 /**
  * One HTML page with everything inside: pictures as data, style in the head, no script. Sections are numbered in their
@@ -85,12 +86,19 @@ internal class ReportPage(private val title: String) {
 
     private fun comparison(row: NumberRow): String {
         val reference = row.reference ?: return "<td></td><td></td><td></td>"
-        val percent = String.format(Locale.ROOT, "%+.1f %%", 100 * (row.value / reference.value - 1))
-        val away = reference.away(row.value, row.error)
-        val errors = if (away.isNaN()) "" else String.format(Locale.ROOT, " (%+.1f σ)", away)
-        val difference = signed(percent) + signed(errors)
-        val value = ReportText.withError(reference.value, reference.error)
-        return "<td class=\"n\">$value</td><td class=\"n\">$difference</td><td>${escape(reference.source)}</td>"
+        val value = ReportText.withError(reference.value, reference.bound).replace(" ±", ", to")
+        return "<td class=\"n\">$value</td><td class=\"n\">${difference(row, reference)}</td>" +
+            "<td>${escape(reference.source)}</td>"
+    }
+
+    /** Nothing of a number without an error: what it differs by may be chance. */
+    private fun difference(row: NumberRow, reference: Reference): String {
+        if (row.error.isNaN()) return ""
+        val difference = row.value - reference.value
+        val percent = String.format(Locale.ROOT, "%+.1f %%", 100 * difference / abs(reference.value))
+        val errors = if (row.error > 0) String.format(Locale.ROOT, "%+.1f σ, ", difference / row.error) else ""
+        val verdict = if (reference.agrees(row.value, row.error)) "within" else "beyond"
+        return "${signed(percent)} (${signed(errors)}$verdict)"
     }
 
     private fun signed(text: String) = text.replace("-", "−").replace("−0.0", "0.0").replace("+0.0", "0.0")
@@ -119,8 +127,8 @@ $body</main></body></html>
         private const val HINT = "<p class=\"hint\" aria-hidden=\"true\">scroll sideways →</p>"
 
         private const val COMPARED =
-            "References are for runs that agree in all parameters; ± is one standard error of " +
-                "theirs, a third of the bound in docs/validation.md. σ is the joint standard error of both."
+            "References are for runs that agree in all parameters, each to the bound that stands behind it. " +
+                "σ is the ± of this run alone; a difference is within or beyond what the bound and three of these allow."
 
         /** [text] as it stands in HTML, with its lines; control characters are shown. */
         fun escape(text: String): String = text.split('\n').joinToString("\n", transform = ::oneLine)

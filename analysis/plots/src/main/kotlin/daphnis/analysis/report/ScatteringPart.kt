@@ -39,19 +39,26 @@ internal class ScatteringPart(private val study: Study, private val trajectories
         val falls = if (time.isNaN()) "" else " It falls to 1/e in ${UnitNames.amount(ReportText.short(time), unit)}."
         val scattering = Curve("F_s", found.lag, found.scattering, study.judgement.errors(found.scatteringError))
         val k = UnitNames.amount(ReportText.short(waveNumber), units.waveNumber)
-        study.draw(
-            page,
-            Chart.lines(
-                listOf(scattering),
-                axis,
-                "self-intermediate scattering F_s(k, t)",
-                logX = true,
-                horizontal = 0.0,
-            ),
-            "self-scattering",
-            "self-intermediate scattering function",
-            "Self-intermediate scattering function at k = $k, near the peak of S(k).$falls $bars",
-        )
+        if (isNoise(found)) {
+            val first = UnitNames.amount(ReportText.short(found.lag[0]), unit)
+            page.paragraph(
+                "No self-intermediate scattering function at k = $k: it has fallen to noise within $first, $DENSER",
+            )
+        } else {
+            study.draw(
+                page,
+                Chart.lines(
+                    listOf(scattering),
+                    axis,
+                    "self-intermediate scattering F_s(k, t)",
+                    logX = true,
+                    horizontal = 0.0,
+                ),
+                "self-scattering",
+                "self-intermediate scattering function",
+                "Self-intermediate scattering function at k = $k, near the peak of S(k).$falls $bars",
+            )
+        }
         val parameter = Curve("α₂", found.lag, found.nonGaussian, study.judgement.errors(found.nonGaussianError))
         study.draw(
             page,
@@ -70,7 +77,16 @@ internal class ScatteringPart(private val study: Study, private val trajectories
         Table("self-scattering", columns).write(study.tables)
     }
 
+    /** Whether F_s is nothing but noise from its shortest lag on. */
+    private fun isNoise(found: SelfScattering): Boolean {
+        val error = found.scatteringError[0].takeIf { it.isFinite() } ?: 0.0
+        return !(found.scattering[0] > maxOf(NOISE, 3 * error))
+    }
+
     private companion object {
+        /** F_s below which nothing of it is left. */
+        const val NOISE = 0.05
+        const val DENSER = "the shortest time between two states. More states would show it (output.snapshotEvery)."
         const val LEAST_FILLED = 0.1
         const val PEAKS = 1.6
         const val BINS = 64

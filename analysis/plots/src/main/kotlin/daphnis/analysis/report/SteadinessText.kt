@@ -24,9 +24,9 @@ internal class SteadinessText(
 ) {
     /**
      * One sentence for each of the [histories] that drifts, with what to do about it in the last of those for which that
-     * is the same; then one for those that do not, with the largest drift that may have been missed, one for those of
-     * which a large one may have been, and one for those with too few rows to tell. Of a conserved quantity no drift is
-     * missed.
+     * is the same; then one for those that do not, with the largest drift that may have been missed, one for those
+     * whose fluctuations may hide a large one, and one for those with too few rows to tell. Of a conserved quantity no
+     * drift is missed.
      */
     fun of(histories: List<History>): List<String> {
         val found = histories.map { it to it.steadiness(from) }.groupBy { it.second.verdict }
@@ -54,21 +54,14 @@ internal class SteadinessText(
             else -> "in the other quantities"
         }
         val missed = told.filter { it.second > ROUND_OFF }
-        val of = if (missed.isEmpty()) {
-            ""
-        } else {
-            " A smaller one than $PART may have been missed, $SURE: ${parts(
-                missed,
-            )}."
-        }
+        val parts = missed.joinToString { (name, part) -> "$name ${percent(part)}" }
+        val of = if (missed.isEmpty()) "" else " $MISSED: $parts."
         return listOfNotNull(
             "No drift is seen $where.$of".takeIf { told.isNotEmpty() },
-            "Whether it is steady cannot be told where a drift of $PART may have been missed, $SURE: ${parts(untold)}."
+            "Whether it is steady cannot be told of ${untold.joinToString { it.first }}: $HIDDEN."
                 .takeIf { untold.isNotEmpty() },
         )
     }
-
-    private fun parts(of: List<Pair<String, Double>>) = of.joinToString { (name, part) -> "$name ${percent(part)}" }
 
     /** How many rows of [history] tell of the time averaged. */
     private fun rows(history: History): String {
@@ -96,7 +89,7 @@ internal class SteadinessText(
     private fun advice(history: History): String {
         val mser = history.steadyFrom()
         return when {
-            isCooling -> "nothing replaces the energy that collisions take, so a longer run is not steady either"
+            isCooling -> COOLING
             growing != null -> growing
             mser != null && mser > from -> "by MSER-5 it is steady from time ${time(mser)} on (--from)"
             else -> otherwise
@@ -124,7 +117,9 @@ internal class SteadinessText(
 
         /** Part of an average above which a drift that may have been missed leaves open whether it is steady. */
         const val MOST_MISSED = 0.25
-        const val PART = "this part of the average"
-        const val SURE = "with 95 % confidence"
+        const val COOLING = "nothing replaces the energy that collisions take, so a longer run is not steady either; " +
+            "a thermostat makes one that is (--set 'forces=[{\"type\":\"rescaling\",\"temperature\":1}]')"
+        const val HIDDEN = "a drift of a quarter of the average may hide in the fluctuations"
+        const val MISSED = "A smaller one than this part of the average may have been missed, with 95 % confidence"
     }
 }

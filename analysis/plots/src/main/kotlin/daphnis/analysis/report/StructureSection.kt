@@ -25,7 +25,7 @@ internal class StructureSection(private val study: Study) : Section {
     override val leftOut = when {
         study.isRoomCut -> Study.ROOM_CUT
         study.isCompact || study.isThin -> study.tooFew()
-        else -> "the patch is more than twenty times as long as wide"
+        else -> "the ${study.place} is more than twenty times as long as wide"
     }
 
     override fun add(state: State) {

@@ -58,8 +58,14 @@ internal class Study(
     /** Whether walls that are no faces of the box cut off parts of it: densities over the box then tell nothing. */
     val isRoomCut: Boolean = last.boundary.surfaces.isNotEmpty()
 
-    /** Whether light through the patch means something: not through a box that is one of many all around. */
-    val isSlab: Boolean = !last.boundary.repeats(2) && !last.boundary.space.isPlane && !isRoomCut
+    /** Whether light through it means something: it ends above and below, and is a ring or may be one. */
+    val isLit: Boolean = !last.boundary.repeats(2) &&
+        !last.boundary.space.isPlane &&
+        !isRoomCut &&
+        (isRing || input.scenario == null)
+
+    /** What is simulated: a patch of a ring, or a box. */
+    val place: String = if (isRing) "patch" else "box"
 
     /** What collides. */
     val bodies: String = if (last.boundary.space.isPlane) "discs" else "spheres"

@@ -55,7 +55,6 @@ internal class WalkPart(private val study: Study) : Part {
                 found.amplitudeError(century),
                 1.0,
                 distance,
-                "Rein & Papaloizou 2010, A&A 524, A22: 10–100 m",
             ),
         )
     }

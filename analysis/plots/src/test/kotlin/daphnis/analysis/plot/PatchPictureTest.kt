@@ -5,6 +5,7 @@ import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.Images
 import daphnis.core.boundary.LeesEdwards
+import daphnis.core.boundary.Periodic
 import daphnis.core.hill.HillSheet
 import daphnis.core.population.Population
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -13,6 +14,7 @@ import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import java.nio.file.Files
 import java.nio.file.Path
+import javax.imageio.ImageIO
 
 class PatchPictureTest {
     @TempDir
@@ -41,6 +43,90 @@ class PatchPictureTest {
             boundary,
             time,
         )
+    }
+
+    private fun picture(
+        boundary: BoundaryConditions,
+        x: DoubleArray,
+        y: DoubleArray,
+        z: DoubleArray,
+        r: Double,
+    ): PatchPicture {
+        val n = x.size
+        fun all(value: Double) = DoubleArray(n) { value }
+        return PatchPicture(
+            State(Population(x, y, z, all(0.0), all(0.0), all(0.0), all(r), all(1.0)), boundary, 0.0),
+            "m",
+        )
+    }
+
+    private fun size(name: String): Pair<Int, Int> =
+        ImageIO.read(home.resolve("$name.png").toFile()).let { it.width to it.height }
+
+    @Test
+    fun `all of a patch that is thin along the orbit lies along its length`() {
+        val thin =
+            picture(
+                HillSheet(Box.centred(200.0, 5.0, 20.0), 1.0),
+                doubleArrayOf(-90.0, 80.0),
+                DoubleArray(2),
+                DoubleArray(2),
+                1.0,
+            )
+        assertEquals(0, thin.across)
+        assertEquals(null, thin.partAbove)
+        thin.writeAbove(home, "above")
+        val (width, height) = size("above")
+        assertTrue(width == 1400 && height in 80..110) { "$width × $height" }
+        val circles = Regex("<circle cx=\"([-0-9.]+)\"").findAll(Files.readString(home.resolve("above.svg"))).map {
+            it.groupValues[1].toDouble()
+        }
+        assertEquals(setOf(70.0, 1260.0), circles.toSet())
+        val long =
+            picture(
+                HillSheet(Box.centred(10.0, 12600.0, 0.6), 1.0),
+                DoubleArray(1),
+                DoubleArray(1),
+                DoubleArray(1),
+                0.1,
+            )
+        assertEquals("The first 40 m of 12600 m", long.partAbove)
+    }
+
+    @Test
+    fun `a tall picture is no higher than a wide one is wide, and has room for its bar`() {
+        val tall =
+            picture(
+                Periodic(Box.centred(15.0, 15.0, 60.0)),
+                DoubleArray(2),
+                DoubleArray(2),
+                doubleArrayOf(-29.5, 29.5),
+                0.5,
+            )
+        tall.writeSide(home, "side")
+        val (width, height) = size("side")
+        assertTrue(width in 350..450 && height in 1440..1470) { "$width × $height" }
+        assertTrue(">2 m</text>" in Files.readString(home.resolve("side.svg")))
+    }
+
+    @Test
+    fun `each material and the bodies have colours and names of their own`() {
+        val population = Population(
+            doubleArrayOf(-2.0, 0.0, 2.0),
+            DoubleArray(3),
+            DoubleArray(3),
+            DoubleArray(3),
+            DoubleArray(3),
+            DoubleArray(3),
+            DoubleArray(3) { 0.5 },
+            DoubleArray(3) { 1.0 },
+        ).withMaterial(intArrayOf(0, 1, 1), listOf("ice", "rock"))
+        val state = State(population, HillSheet(box, 1.0), 0.0, 1.0, firstBody = population.id.max())
+        PatchPicture(state, "m").writeAbove(home, "above")
+        val svg = Files.readString(home.resolve("above.svg"))
+        assertTrue(listOf(">ice<", ">rock<", ">moonlets<").all { it in svg }) { svg }
+        val drawn = circles("above", 10.0).filter { it.second > 0 }
+        assertEquals(3, drawn.map { it.third }.toSet().size) { "$drawn" }
     }
 
     /** Centres of the circles in a picture, in lengths from its lower left corner, and their colours. */

@@ -326,7 +326,14 @@ class AnalysisTest {
     @Test
     fun `the report shows the time series of a run that wrote no transport, and where averages begin`() {
         val path =
-            run("cooling-gas", "until=4", "particles.count=200", "box.lengths=[10,10,10]", "output.snapshotEvery=10")
+            run(
+                "cooling-gas",
+                "until=4",
+                "particles.count=200",
+                "box.lengths=[10,10,10]",
+                "output.snapshotEvery=10",
+                "output.transportEvery=0",
+            )
         Analysis(AnalysisInput.ofRun(path), AnalysisOptions(from = 2.0)).write(path)
         val html = Files.readString(path.resolve("report.html"))
         assertTrue(">Evolution</h2>" in html)
@@ -384,7 +391,7 @@ class AnalysisTest {
         Analysis(AnalysisInput.ofFile(file, null, "")).write(out)
         val html = Files.readString(out.resolve("report.html"))
         assertTrue("1 sphere." in html && "1 spheres" !in html)
-        assertTrue(">The patch</h2>" in html)
+        assertTrue(">The box</h2>" in html)
         for (heading in listOf("Profiles", "Velocity ellipsoid", "Structure", "Occultation")) {
             assertFalse(">$heading</h2>" in html) { heading }
             assertTrue("<li>$heading: there is 1 particle; it takes 10 at least.</li>" in html) { heading }

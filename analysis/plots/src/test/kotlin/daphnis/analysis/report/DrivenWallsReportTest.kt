@@ -25,7 +25,16 @@ class DrivenWallsReportTest {
             .first { it[0] == "wall_work_over_dissipation" }[1].toDouble()
         assertEquals(1.0, work, 0.5)
         assertTrue(Files.exists(home.resolve("plots/vertical-temperature.svg")))
-        assertTrue("cycles of a wall" !in Files.readString(home.resolve("report.html")))
+        val html = Files.readString(home.resolve("report.html"))
+        assertTrue("cycles of a wall" !in html)
+        assertTrue(">The box</h2>" in html && "patch" !in html.replace(Regex("base64,[^\"]*"), "")) {
+            "a bed is no ring"
+        }
+        assertTrue("Occultation" !in html && "ptical depth" !in html && "⟨c_z²⟩ is no temperature" in html)
+        // 13 states from time 15 on.
+        assertTrue("A run with --set output.snapshotEvery=12 --set until=160 has more of them." in html) {
+            html.substringAfter("<sup>?</sup>").take(500)
+        }
     }
 
     @Test

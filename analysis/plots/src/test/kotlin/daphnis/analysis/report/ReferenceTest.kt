@@ -94,24 +94,24 @@ class ReferenceTest {
         val crystal = lattice(cbrt(500 * PI / 6 / 0.5433))
         // 11.148 of very many, less a 500th.
         assertEquals(11.1257, crystal.getValue("compressibility").value, 1e-3)
-        assertEquals(0.0111, crystal.getValue("compressibility").error, 1e-4)
+        assertEquals(0.0111, crystal.getValue("compressibility").bound, 1e-4)
         assertTrue("Speedy" in crystal.getValue("collisions_per_particle").source)
         assertEquals(emptyMap<String, Reference>(), lattice(cbrt(500 * PI / 6 / 0.52)))
         val fluid = lattice(10.0)
         assertEquals(3.26737, fluid.getValue("compressibility").value, 2e-5)
-        assertTrue(fluid.getValue("compressibility").error in 1e-4..1e-3)
+        assertTrue(fluid.getValue("compressibility").bound in 1e-4..1e-3)
     }
 
     @Test
-    fun `a difference is in errors of both sides, and a page says so`() {
-        val reference = Reference(10.0, 0.3, "there")
-        assertEquals(2.0, reference.away(11.0, 0.4), 1e-12)
-        assertTrue(reference.away(11.0, Double.NaN).isNaN())
-        fun page(error: Double) = ReportPage("t").apply { numbers(listOf(NumberRow("c", 9.0, error, "m", reference))) }
-            .html("")
-        val html = page(0.4)
-        assertTrue("10.00 ± 0.30" in html && "−10.0 % (−2.0 σ)" in html && "joint standard error" in html) { html }
-        assertTrue("−10.0 %</td>" in page(Double.NaN))
+    fun `a difference is in errors of the run, beside the bound of the reference, and none without an error`() {
+        val reference = Reference(10.0, 0.9, "there")
+        fun page(value: Double, error: Double) =
+            ReportPage("t").apply { numbers(listOf(NumberRow("c", value, error, "m", reference))) }.html("")
+        val within = page(9.0, 0.2)
+        assertTrue("10.00, to 0.90" in within && "−10.0 % (−5.0 σ, within)" in within) { within }
+        assertTrue("−20.0 % (−10.0 σ, beyond)" in page(8.0, 0.2))
+        assertTrue("−10.0 % (beyond)" in page(9.0, 0.0))
+        assertTrue("10.0 %" !in page(9.0, Double.NaN)) { "a number without an error may differ by chance" }
     }
 
     internal companion object {

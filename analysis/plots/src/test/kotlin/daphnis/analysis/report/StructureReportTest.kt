@@ -57,6 +57,34 @@ class StructureReportTest {
     }
 
     @Test
+    fun `memory that is lost from one state to the next is not drawn, and the report says what would show it`() {
+        val path = report("sparse", "elastic-gas", *gas("[0.5]", "[10,10,10]", 250), "output.snapshotEvery=7")
+        assertFalse(Files.exists(path.resolve("plots/self-scattering.svg")))
+        val html = Files.readString(path.resolve("report.html"))
+        assertTrue("noise within 0.700 units of time" in html && "(output.snapshotEvery)" in html)
+    }
+
+    @Test
+    fun `where density varies over long distances g is said not to tend to 1`() {
+        // A third of a box that is full, the rest empty: all have three times the mean density around them.
+        val random = java.util.Random(1)
+        val lines = (0 until 16).joinToString("") { frame ->
+            val rows = (0 until 400).joinToString("") {
+                "1 ${12 * random.nextDouble()} ${36 * random.nextDouble()} ${36 * random.nextDouble()} 0.1\n"
+            }
+            "400\nLattice=\"36 0 0 0 36 0 0 0 36\" Properties=species:S:1:pos:R:3:radius:R:1 Time=$frame\n$rows"
+        }
+        val file = home.resolve("third.xyz")
+        Files.writeString(file, lines)
+        val out = Files.createDirectories(home.resolve("out"))
+        Analysis(AnalysisInput.ofFile(file, null, "")).write(out)
+        val html = Files.readString(out.resolve("report.html"))
+        assertTrue(Regex("g is about [23]\\.\\d+, not 1, since the density varies").containsMatchIn(html)) {
+            html.substringAfter("Radial distribution").take(600)
+        }
+    }
+
+    @Test
     fun `a mixture has partial ones and contact values`() {
         val path = report("two", "elastic-gas", *gas("[0.5,0.3]", "[6,6,6]", 200))
         assertEquals("S_0.3-0.5", rows(path, "structure-factor-by-size")[0][3])
