@@ -31,7 +31,7 @@ internal class Feed {
     /** How many look that want entries of [kind]. */
     fun watching(kind: String): Int = lock.withLock { watchers.count { it.without != kind } }
 
-    /** A page has been sent, which will look when it has come to that. */
+    /** A page, or a part of one, has been sent, which will look when it has all. */
     fun expect(): Unit = lock.withLock { arrival = System.nanoTime() + LONGEST_ARRIVAL }
 
     /** Waits until no page is on its way. */
@@ -100,7 +100,7 @@ internal class Feed {
         const val PROBLEM = "problem"
         const val END = "end"
 
-        /** A page asks for a dozen files before it looks. */
+        /** From one file of a page to the next, or to when it looks. */
         private val LONGEST_ARRIVAL = TimeUnit.SECONDS.toNanos(2)
     }
 }

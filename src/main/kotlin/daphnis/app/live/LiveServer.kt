@@ -81,7 +81,7 @@ internal class LiveServer(
                 refuse(exchange, 405)
             }
             page != null -> {
-                if (path == "/") feed.expect()
+                feed.expect()
                 send(exchange, page)
             }
             path != EVENTS && path != CHANGES && stateOf(path) == null -> refuse(exchange, 404)
