@@ -79,7 +79,7 @@ def refresh(path: Path) -> None:
         cell["metadata"].pop("execution", None)
         if cell["cell_type"] == "code":
             cell["metadata"]["short_form"] = short.pop(0)
-    path.write_text(json.dumps(notebook, indent=1, ensure_ascii=False) + "\n", "utf-8")
+    path.write_text(json.dumps(notebook, indent=1, ensure_ascii=False, sort_keys=True) + "\n", "utf-8")
 
 
 if __name__ == "__main__":
