@@ -92,6 +92,20 @@ def test_a_nan_is_named_by_its_place(gas: dict[str, Any], spheres: dict[str, Any
         daphnis.Simulation(gas, **spheres)
 
 
+def test_masked_entries_are_named(gas: dict[str, Any], spheres: dict[str, Any]) -> None:
+    n = len(spheres["position"])
+    plain = daphnis.Simulation(gas, **spheres)
+    for name in ("position", "velocity"):
+        masked = np.ma.array(spheres[name])
+        masked[7, 2] = np.ma.masked
+        with pytest.raises(daphnis.InputError, match=rf"{name}\[7, 2\] is masked"):
+            daphnis.Simulation(gas, **{**spheres, name: masked})
+        whole = np.ma.array(spheres[name], mask=False)
+        assert daphnis.Simulation(gas, **{**spheres, name: whole}).digest == plain.digest
+    with pytest.raises(daphnis.InputError, match=r"id\[3\] is masked"):
+        daphnis.Simulation(gas, **spheres, id=np.ma.array(range(n), mask=[k == 3 for k in range(n)]))
+
+
 def test_a_sphere_outside_the_box_is_named(gas: dict[str, Any], spheres: dict[str, Any]) -> None:
     spheres["position"][5, 1] = 11
     with pytest.raises(daphnis.InputError, match="sphere 5 at y = 11.0 is outside the box, y from -10.0 to 10.0"):

@@ -26,6 +26,7 @@ def numbers(name: str, values: ArrayLike, shape: tuple[int | str, ...]) -> NDArr
         array = np.asarray(values)
     except ValueError:
         raise InputError(f"{name}: rows differ in length; its shape must be {_said(shape)}") from None
+    _unmasked(name, values)
     if array.dtype.kind not in "fiu" or array.dtype.itemsize > 8:
         raise InputError(f"{name}: holds {array.dtype}; it must hold numbers that fit into float64")
     if array.ndim != len(shape) or any(isinstance(n, int) and n != m for n, m in zip(shape, array.shape, strict=True)):
@@ -36,6 +37,13 @@ def numbers(name: str, values: ArrayLike, shape: tuple[int | str, ...]) -> NDArr
         place = f"[{', '.join(str(k) for k in wrong[0])}]" if shape else ""
         raise InputError(f"{name}{place} is {array[tuple(wrong[0])]}; it must be finite")
     return array
+
+
+def _unmasked(name: str, values: ArrayLike) -> None:
+    masked = np.argwhere(np.ma.getmaskarray(values)) if isinstance(values, np.ma.MaskedArray) else ()
+    if len(masked):
+        place = f"[{', '.join(str(k) for k in masked[0])}]" if len(masked[0]) else ""
+        raise InputError(f"{name}{place} is masked; fill it or leave the sphere out")
 
 
 def each(name: str, values: ArrayLike, n: int) -> NDArray[np.float64]:
@@ -49,6 +57,7 @@ def ids(values: ArrayLike | None, n: int) -> NDArray[np.int32]:
     """`values` as ids; 0, 1, 2, … for None."""
     if values is None:
         return np.arange(n, dtype=np.int32)
+    _unmasked("id", values)
     array = np.asarray(values)
     if array.dtype.kind not in "iu":
         raise InputError(f"id: holds {array.dtype}; it must hold whole numbers")

@@ -39,6 +39,7 @@ class AnalyzeCommand : CliktCommand(name = "analyze") {
         "--set",
         metavar = "path=value",
         help = "with --scenario: replace any key of it",
+        completionCandidates = Candidates.setting,
     ).multiple()
     private val timeStep by option(
         "--time-step",

@@ -63,8 +63,12 @@ class BenchCommand : CliktCommand(name = "bench") {
         help = "how long each engine works before rounds count, one turn at least (default: $WARM_UP)",
     ).double()
     private val warmUp get() = warmUpAsked ?: WARM_UP
-    private val settings by option("--set", metavar = "path=value", help = "replace any key of the scenarios")
-        .multiple()
+    private val settings by option(
+        "--set",
+        metavar = "path=value",
+        help = "replace any key of the scenarios",
+        completionCandidates = Candidates.setting,
+    ).multiple()
     private val out by option(
         "--out",
         metavar = "dir",

@@ -14,10 +14,23 @@ internal object Candidates {
     val scenario = CompletionCandidates.Custom { shell ->
         val names = BuiltIn.names.joinToString(" ")
         when (shell) {
-            ShellType.BASH -> "COMPREPLY=(\$(compgen -W '$names' -- \"\$word\") \$(compgen -f -- \"\$word\"))"
+            ShellType.BASH ->
+                "__complete_files \"\$word\"\n" +
+                    "COMPREPLY+=(\$(compgen -W '$names' -- \"\$word\"))"
             ShellType.FISH -> "\"$names (__fish_complete_path)\""
         }
     }
+
+    /** A key of a scenario and its value; the words are in the script once, see [CompletionCommand]. */
+    val setting = CompletionCandidates.Custom { shell ->
+        when (shell) {
+            ShellType.BASH -> SETTINGS
+            ShellType.FISH -> SettingWords.all.joinToString(" ", "\"", "\"")
+        }
+    }
+
+    /** The function of the script that offers settings. */
+    const val SETTINGS = "__daphnis_settings"
 
     /** Engines with commas between; fish completes the first. */
     val engines = CompletionCandidates.Custom { shell ->

@@ -15,38 +15,25 @@ class CompletionCommand : CliktCommand(name = "completion") {
 
     override fun run() {
         val script = CompletionGenerator.generateCompletionForCommand(currentContext.findRoot().command, shell)
-        // A directory is completed with a slash, and blanks in names are quoted.
-        val quoted = script.replace("\ncomplete -F ", "\ncomplete -o filenames -F ")
-        printLines(if (shell == "zsh") quoted.replace(REGISTRATION, ZSH_WORDS + REGISTRATION_OF_ZSH) else quoted)
+        printLines(if (shell == "fish") script else ofBash(script))
     }
 
-    private companion object {
-        const val REGISTRATION = "\ncomplete -o filenames -F _daphnis daphnis"
-        const val REGISTRATION_OF_ZSH = "\ncomplete -o filenames -F _daphnis_zsh daphnis"
+    /** [script] with what the library's lacks: words as the shell takes them, names with blanks, settings. */
+    private fun ofBash(script: String): String {
+        val own = resource("completion.$shell")
+        val settings = SettingWords.all.joinToString(" ") { "'$it'" }
+        val parts = resource("completion.settings").replace("SETTINGS", settings)
+        // Called in place, since what comes out of a process of its own is parted at blanks.
+        val called = script.replace(CALL, "$1")
+        check(REGISTRATION in called)
+        return called.replaceFirst(REGISTRATION, "\n$parts\n$own".trimEnd())
+    }
 
-        /** The script is for words as bash parts them, at equals signs too; zsh has `--engine=h` as one. */
-        val ZSH_WORDS = "\n" + """
-            _daphnis_zsh() {
-                local -a parted
-                local k=0 word='' option=''
-                parted=()
-                while [[ ${'$'}{k} -le ${'$'}COMP_CWORD ]]; do
-                    word="${'$'}{COMP_WORDS[${'$'}k]}"
-                    option=''
-                    case "${'$'}word" in
-                        --*=*)
-                            option="${'$'}{word%%=*}="
-                            parted+=("${'$'}{word%%=*}" "=" "${'$'}{word#*=}")
-                            ;;
-                        *) parted+=("${'$'}word") ;;
-                    esac
-                    (( k = k + 1 ))
-                done
-                COMP_WORDS=("${'$'}{parted[@]}")
-                COMP_CWORD=${'$'}(( ${'$'}{#parted[@]} - 1 ))
-                _daphnis
-                if [[ -n "${'$'}option" ]]; then COMPREPLY=("${'$'}{COMPREPLY[@]/#/${'$'}option}"); fi
-            }
-        """.trimIndent() + "\n"
+    private fun resource(name: String) =
+        checkNotNull(CompletionCommand::class.java.getResource(name)) { "$name is missing" }.readText()
+
+    private companion object {
+        const val REGISTRATION = "\ncomplete -F _daphnis daphnis"
+        val CALL = Regex("""COMPREPLY=\(\$\(compgen -F (\w+) 2>/dev/null\)\)""")
     }
 }

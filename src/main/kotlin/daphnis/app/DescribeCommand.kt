@@ -25,7 +25,12 @@ class DescribeCommand : CliktCommand(name = "describe") {
         help = "scenario file or built-in name",
         completionCandidates = Candidates.scenario,
     )
-    private val settings by option("--set", metavar = "path=value", help = "replace any key of the scenario").multiple()
+    private val settings by option(
+        "--set",
+        metavar = "path=value",
+        help = "replace any key of the scenario",
+        completionCandidates = Candidates.setting,
+    ).multiple()
 
     override fun help(context: Context) = "Say what a scenario means in numbers, or what is wrong with it."
 

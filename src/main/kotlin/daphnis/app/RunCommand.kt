@@ -15,10 +15,12 @@ import daphnis.app.progress.TimesInWords
 import daphnis.core.run.ProgramRecord
 import daphnis.core.run.Run
 import daphnis.core.run.RunOrigin
+import daphnis.core.scenario.BoundarySpec
 import daphnis.core.scenario.FrameSetup
 import daphnis.core.scenario.InputException
 import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.TimeStepSpec
+import daphnis.core.scenario.WallMotionSpec
 import java.nio.file.Files
 import java.nio.file.Path
 
@@ -48,6 +50,7 @@ class RunCommand : CliktCommand(name = "run") {
         metavar = "path=value",
         help = "replace any key of the scenario, such as timeStep.dt=0.05 or 'forces[0].x=-167'; " +
             "'forces[+]={…}' adds an entry",
+        completionCandidates = Candidates.setting,
     ).multiple()
     private val out by option(
         "--out",
@@ -68,7 +71,7 @@ class RunCommand : CliktCommand(name = "run") {
         }
         val origin = from?.let {
             checkState()
-            originNamed(it)
+            originNamed(it).also(::checkPistons)
         }
         val source = scenario ?: origin?.let { ownScenario(it) } ?: "paper-figure-1"
         val changes = settings + listOfNotNull(
@@ -96,6 +99,24 @@ class RunCommand : CliktCommand(name = "run") {
         for (setting in settings) {
             val key = setting.takeWhile { it != '.' && it != '[' && it != '=' }
             if (key !in OF_STATE) continue
+            throw InputException("--set", setting, "is of an initial state; with $FROM it is $from")
+        }
+    }
+
+    /** Where a piston was is part of the state. */
+    private fun checkPistons(origin: RunOrigin) {
+        val faces = (origin.run.scenario()?.boundary as? BoundarySpec.Walls)?.faces ?: return
+        val motions = mapOf(
+            "lowerX" to faces.lowerX,
+            "upperX" to faces.upperX,
+            "lowerY" to faces.lowerY,
+            "upperY" to faces.upperY,
+            "lowerZ" to faces.lowerZ,
+            "upperZ" to faces.upperZ,
+        ).mapValues { it.value?.motion }
+        for (setting in settings) {
+            val face = OF_PISTON.find(setting)?.groupValues?.get(1) ?: continue
+            if (motions[face] !is WallMotionSpec.Piston) continue
             throw InputException("--set", setting, "is of an initial state; with $FROM it is $from")
         }
     }
@@ -141,6 +162,7 @@ class RunCommand : CliktCommand(name = "run") {
 
     private companion object {
         /** Keys of a scenario that make its initial state. */
+        val OF_PISTON = Regex("""^boundary\.faces\.(\w+)\.motion\.(?:position|velocity)=""")
         val OF_STATE = setOf("seed", "particles", "bodies", "placement", "velocities", "spins")
     }
 }

@@ -51,6 +51,7 @@ class SweepCommand : CliktCommand(name = "sweep") {
         metavar = "path=value,…",
         help = "values of a key of the scenario; several lists give all combinations. A comma within brackets, " +
             "braces or quotation marks belongs to the value: 'box.lengths=[9,9,9],[12,12,12]'",
+        completionCandidates = Candidates.setting,
     ).multiple()
     private val seeds by option(
         "--seeds",

@@ -45,6 +45,60 @@ class CompletionTest {
         assertEquals(listOf("cooling-gas"), zshOffers("daphnis", "run", "--engine=serial", "coo"))
     }
 
+    /** The words that a bash at a prompt passes on when each of [lines] is typed, a tab in it. */
+    private fun typed(vararg lines: String): List<String> {
+        Files.writeString(home.resolve("script"), script)
+        val told = "daphnis() { printf '<%s>' \"$@\"; echo; }; source ./script\n" + lines.joinToString("") { "$it\n" }
+        val bash = ProcessBuilder("bash", "--norc", "--noprofile", "-i").directory(home.toFile())
+            .redirectError(ProcessBuilder.Redirect.DISCARD)
+        bash.environment() += mapOf("INPUTRC" to "/dev/null", "PS1" to "", "TERM" to "dumb")
+        val process = bash.start()
+        process.outputStream.bufferedWriter().use { it.write(told) }
+        val said = process.inputReader().readText()
+        assertTrue(process.waitFor(1, TimeUnit.MINUTES))
+        return said.lines().filter { it.startsWith("<") }.map { it.removePrefix("<run><").removeSuffix(">") }
+    }
+
+    @Test
+    fun `at a prompt names are quoted once, whatever is in them and however they are begun`() {
+        assumeTrue(Files.isExecutable(Path.of("/bin/bash")), "no bash here")
+        Files.createDirectory(home.resolve("a directory"))
+        val begun = mapOf(
+            "my scene.json" to listOf("my", "my\\ s", "\"my s", "'my s"),
+            "a:b.json" to listOf("a:", "a:b.", "a\\:"),
+            "x=y.json" to listOf("x", "x="),
+            "quo'te.json" to listOf("quo", "\"quo"),
+            "\$Hx.json" to listOf("'\$H"),
+            "par(en).json" to listOf("par"),
+            "back\\slash.json" to listOf("back"),
+            "a directory/" to listOf("a\\ d"),
+        )
+        for (name in begun.keys.filter { it.endsWith("json") }) Files.writeString(home.resolve(name), "{}")
+        val expected = begun.flatMap { (name, words) -> words.map { name } }
+        assertEquals(expected, typed(*begun.values.flatten().map { "daphnis run $it\t" }.toTypedArray()))
+    }
+
+    @Test
+    fun `behind an equals sign values are completed, of options and of settings`() {
+        assumeTrue(Files.isExecutable(Path.of("/bin/bash")), "no bash here")
+        Files.writeString(home.resolve("only one.json"), "{}")
+        val begun = mapOf(
+            "--engine=th" to "--engine=thread-pool",
+            "--from=on" to "--from=only one.json",
+            "--from=\"only" to "--from=only one.json",
+            "--set box.l" to "--set><box.lengths=",
+            "--set frame.planet=sa" to "--set><frame.planet=saturn",
+            "--set=engine.t" to "--set=engine.threads=",
+            "--set forces[0].massR" to "--set><forces[0].massRatio=",
+        )
+        assertEquals(begun.values.toList(), typed(*begun.keys.map { "daphnis run $it\t" }.toTypedArray()))
+        assertEquals(listOf("boundary.type=open"), offered("daphnis", "run", "--set", "boundary.type=o"))
+        assertEquals(allEngines.names.map { "engine.name=$it" }, offered("daphnis", "sweep", "--set", "engine.name="))
+        val keys = offered("daphnis", "describe", "--set", "")
+        assertEquals(keys.distinct(), keys)
+        assertTrue(keys.size > 150 && keys.all { it.endsWith("=") }) { "$keys" }
+    }
+
     @Test
     fun `commands, options and the names of scenarios, engines and formats are those of the program`() {
         assumeTrue(Files.isExecutable(Path.of("/bin/bash")), "no bash here")
@@ -64,7 +118,7 @@ class CompletionTest {
 
     @Test
     fun `a directory is completed with a slash, and every shell has its script`() {
-        assertTrue("\ncomplete -o filenames -F _daphnis daphnis" in script)
+        assertTrue("\ncomplete -o filenames -F _daphnis_bash daphnis" in script)
         assertTrue("bashcompinit" in assertDone(daphnis("completion", "zsh")))
         val fish = assertDone(daphnis("completion", "fish"))
         for (name in BuiltIn.names + allEngines.names) assertTrue(name in fish) { name }

@@ -97,4 +97,25 @@ class RunFromTest {
         refused("paper-figure-1", "--from", at("a@6"), parts = listOf("paper-figure-1", "particles.count"))
         assertTrue(!Files.exists(home.resolve("x")))
     }
+
+    @Test
+    fun `where a piston is comes from the state, and so it cannot be set`() {
+        val piston = """{ "box": { "lengths": [8, 4, 4] }, "particles": { "count": 20, "mass": 1,
+            "sizes": { "type": "equal", "radius": 0.2 } }, "velocities": { "type": "gaussian", "sigma": 1 },
+            "boundary": { "type": "walls", "axes": "x", "faces": { "lowerX": { "motion": { "type": "steady",
+            "velocity": 0 } }, "upperX": { "motion": { "type": "piston", "mass": 40 } } } },
+            "restitution": { "type": "constant", "coefficient": 1 },
+            "timeStep": { "type": "fixed", "dt": 0.05 }, "until": 1, "output": { "snapshotEvery": 9 } }"""
+        Files.writeString(home.resolve("piston.json"), piston)
+        assertDone(daphnis("run", at("piston.json"), "--out", at("p"), "--quiet"))
+        assertDone(daphnis("run", "--from", at("p@9"), "--out", at("q"), "--quiet"))
+        assertEquals(field("p", "stateDigest"), field("q", "stateDigest"))
+        val face = "boundary.faces.upperX.motion"
+        for (setting in listOf("$face.position=0.5", "$face.velocity=0")) {
+            val refused = daphnis("run", "--from", at("p@9"), "--set", setting, "--out", at("x"))
+            assertRefused(refused, setting, "is of an initial state")
+        }
+        val other = arrayOf("--set", "$face.force=1", "--set", "boundary.faces.lowerX.motion.velocity=0.1")
+        assertDone(daphnis("run", "--from", at("p@9"), *other, "--out", at("r"), "--quiet"))
+    }
 }

@@ -111,10 +111,11 @@ internal class PhysicsRows(private val setup: ScenarioSetup, private val say: Qu
             spec.untilPressure?.let { "reduced pressure ${number(it)}" },
             "time ${number(scenario.end)}",
         )
+        val since = spec.since?.let { "time ${number(it)}" } ?: "the start"
         val energy = if (spec.thermostat) "kept by a thermostat" else "grows with the work of the surfaces"
         rows.add(
             "growth",
-            "radii by ${number(spec.rate)} of those at the start per unit of time, to ${ends.joinToString(" or ")}",
+            "radii by ${number(spec.rate)} of those at $since per unit of time, to ${ends.joinToString(" or ")}",
         )
         rows.add("kinetic energy", energy)
     }

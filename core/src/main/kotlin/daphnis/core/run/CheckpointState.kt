@@ -16,6 +16,10 @@ internal class CheckpointState(private val directory: RunDirectory) {
     /** Step of the last checkpoint; null when there is none. */
     fun lastStep(): Long? = files().firstNotNullOfOrNull { head(it) }?.meta?.step
 
+    /** What the checkpoint of the state after [step] knows besides the spheres, if one of the checkpoints is of it. */
+    fun meta(step: Long): CheckpointMeta? =
+        files().firstNotNullOfOrNull { file -> head(file)?.meta?.takeIf { it.step == step } }
+
     /** The state after [step], if one of the checkpoints is of it. */
     fun read(step: Long): Snapshot? {
         for (file in files()) {

@@ -1,10 +1,13 @@
 package daphnis.core.run
 
 import daphnis.core.boundary.BoundaryConditions
+import daphnis.core.scenario.BoundarySpec
 import daphnis.core.scenario.FrameSetup
+import daphnis.core.scenario.GrowthSpec
 import daphnis.core.scenario.InputException
 import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.Surroundings
+import daphnis.core.scenario.WallFacesSpec
 import kotlin.math.abs
 
 /**
@@ -34,12 +37,40 @@ internal class OriginCheck(private val scenario: Scenario, private val source: S
             velocities = null,
             spins = scenario.spins.takeIf { !state.hasSpin },
             firstBody = other?.firstBody(state.size)?.takeIf { bodies.isNotEmpty() },
+            growth = growth(other),
+            boundary = boundary(other),
         )
         checkCount(bodies.size)
         if (other != null) checkUnits(other)
         checkFrame()
         checkBox(Surroundings.of(start, source).boundary)
         return start
+    }
+
+    /** At the rate of the other run radii go on as there; another rate is over those of the state. */
+    private fun growth(other: Scenario?): GrowthSpec? {
+        val here = scenario.growth ?: return null
+        val there = other?.growth ?: return here
+        if (here.since != null && here.since != there.since) return here
+        return here.since(if (here.rate == there.rate) there.since ?: other.startTime else null)
+    }
+
+    /** What was a piston in the other run is where it was in the state. */
+    private fun boundary(other: Scenario?): BoundarySpec {
+        val walls = scenario.boundary as? BoundarySpec.Walls
+        val faces = walls?.faces ?: return scenario.boundary
+        val before = (other?.boundary as? BoundarySpec.Walls)?.faces?.pistons.orEmpty()
+        val both = faces.pistons.keys intersect before.keys
+        if (both.isEmpty()) return walls
+        val atStart = before.mapValues { listOf(it.value.position, it.value.velocity) }
+        val states = if (state.step == 0L) atStart else from.pistons().orEmpty()
+        for (face in both) {
+            must("${WallFacesSpec.KEY}.${WallFacesSpec.NAMES[face]}.motion", face in states) {
+                "is a piston, and nothing says where it was in $said; take a state after a step that has a row in " +
+                    SeriesColumns.file
+            }
+        }
+        return walls.with(faces.withPistons(states.filterKeys { it in both }))
     }
 
     /** The run's own scenario says how many there were at its start, which may have been more. */

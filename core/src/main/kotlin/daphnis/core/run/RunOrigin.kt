@@ -1,15 +1,12 @@
 package daphnis.core.run
 
 import daphnis.core.format.Snapshot
-import daphnis.core.scenario.BoundarySpec
 import daphnis.core.scenario.ClockSpec
 import daphnis.core.scenario.GuardSpec
 import daphnis.core.scenario.PlacementSpec
 import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.Surroundings
 import daphnis.core.scenario.TimeStepSpec
-import daphnis.core.scenario.WallFacesSpec
-import daphnis.core.scenario.WallMotionSpec
 
 /**
  * A state of another run from which a run starts, see [Run.start].
@@ -45,27 +42,9 @@ public class RunOrigin(public val run: RecordedRun, public val state: Snapshot) 
     internal fun notices(scenario: Scenario): List<String> = listOfNotNull(
         "$name: the times since the last collisions are not part of a state; guard.duration counts from the start"
             .takeIf { scenario.guard is GuardSpec.ContactDuration },
-    ) + pistons(scenario)
+    )
 
-    /** A state has no walls: pistons begin where the scenario says, which may still be where the other run began. */
-    private fun pistons(scenario: Scenario): List<String> {
-        if (state.step == 0L) return emptyList()
-        val before = pistonsOf(this.scenario)
-        return pistonsOf(scenario).mapNotNull { (face, piston) ->
-            val old = before[face]
-            val isLeft = old != null && old.position == piston.position && old.velocity == piston.velocity
-            val key = "${WallFacesSpec.KEY}.${WallFacesSpec.NAMES[face]}.motion"
-            val column = WallFacesSpec.NAMES[face].let { "${it.dropLast(1)}_${it.last().lowercase()}" }
-            if (!isLeft) return@mapNotNull null
-            "$name: a piston is not part of a state; it begins as in $key.position (${piston.position}) and " +
-                ".velocity (${piston.velocity}): set these to piston_position_$column and piston_speed_$column of series.csv"
-        }
-    }
-
-    private fun pistonsOf(scenario: Scenario?): Map<Int, WallMotionSpec.Piston> {
-        val faces = (scenario?.boundary as? BoundarySpec.Walls)?.faces ?: return emptyMap()
-        return buildMap {
-            faces.named.forEachIndexed { face, it -> (it?.motion as? WallMotionSpec.Piston)?.let { put(face, it) } }
-        }
-    }
+    /** Position and speed of each piston in the state, by face; null where the run does not tell. */
+    internal fun pistons(): Map<Int, List<Double>>? = CheckpointState(run.directory).meta(state.step)?.pistons
+        ?: SeriesColumns.pistons(run.directory.series, state.step)
 }

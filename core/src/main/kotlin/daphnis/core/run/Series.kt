@@ -15,6 +15,8 @@ import daphnis.core.table.Columns
 import daphnis.core.table.Dimension
 import daphnis.core.table.Need
 import daphnis.core.table.TableColumns
+import java.nio.file.Files
+import java.nio.file.Path
 
 /** The declaration of [Series]. Without rows the file has its header: rows may begin at a resume. */
 internal object SeriesOutput : PeriodicOutput("series", OutputSpec::seriesEvery, OutputSpec::seriesInterval) {
@@ -165,6 +167,20 @@ public object SeriesColumns : TableColumns {
     @JvmField
     public val PISTON_ENERGY: Column =
         rows.number("piston_energy", Dimension.ENERGY) { row -> row.pistons.values.sumOf { it.energy } }
+
+    /** Position and speed of each piston in the row of [step] of the file at [path], by face; null without that row. */
+    internal fun pistons(path: Path, step: Long): Map<Int, List<Double>>? {
+        if (!Files.exists(path)) return null
+        Files.newBufferedReader(path).use { reader ->
+            val names = reader.readLine()?.split(',')?.map { it.substringBefore(" [") } ?: return null
+            val row = reader.lineSequence().find { it.startsWith("$step,") }?.split(',') ?: return null
+            fun at(column: Column) = names.indexOf(column.name).let { row.getOrNull(it)?.toDoubleOrNull() }
+            return FACES.indices.mapNotNull { face ->
+                val position = at(PISTON_POSITION[face]) ?: return@mapNotNull null
+                face to listOf(position, at(PISTON_SPEED[face]) ?: return@mapNotNull null)
+            }.toMap()
+        }
+    }
 
     private val ofGrowth = setOf(FILLING_FACTOR, REDUCED_PRESSURE)
     private val ofRotation = MEAN_SPIN.toSet() + ANGULAR_MOMENTUM + ROTATIONAL_ENERGY + ROTATIONAL_TEMPERATURE

@@ -66,6 +66,9 @@ public sealed interface BoundarySpec {
         public val faces: WallFacesSpec? = null,
         public val surfaces: List<WallSurfaceSpec> = emptyList(),
     ) : BoundarySpec {
+        /** The same with other [faces]. */
+        internal fun with(faces: WallFacesSpec) = Walls(axes, restitution, roughness, faces, surfaces)
+
         override fun conditions(box: Box, frequencies: OrbitalFrequencies?, source: String): BoundaryConditions =
             conditions(box, source, seed = 0)
 

@@ -15,11 +15,12 @@ import kotlin.math.sqrt
  * All spheres grow in proportion while they collide, see [GrowingSpheres]. The run ends when the first of its ends is
  * reached, at the end of a step.
  *
- * @property rate growth of a radius per unit of time, over its radius at the start; < 0 for spheres that shrink, 0 for
- *   none of this
+ * @property rate growth of a radius per unit of time, over its radius at the time [since]; < 0 for spheres that shrink, 0
+ *   for none of this
  * @property thermostat whether velocities are rescaled after each step, so that the kinetic energy stays
  * @property untilFillingFactor at which the run ends
  * @property untilPressure reduced pressure P V/(N kT) in a step, at which the run ends
+ * @property since a time on the run's clock at which radii had the size over which [rate] is; null for the start
  */
 @Serializable
 public class GrowthSpec @JvmOverloads constructor(
@@ -27,7 +28,11 @@ public class GrowthSpec @JvmOverloads constructor(
     public val thermostat: Boolean = true,
     public val untilFillingFactor: Double? = null,
     public val untilPressure: Double? = null,
+    public val since: Double? = null,
 ) {
+    /** The same with the rate over radii at the time [since]. */
+    internal fun since(since: Double?) = GrowthSpec(rate, thermostat, untilFillingFactor, untilPressure, since)
+
     /** Whether a run ends with [population], which has grown in [boundary]. */
     internal fun isOver(population: Population, boundary: GrowingSpheres): Boolean = untilFillingFactor != null &&
         (boundary.fillingFactor(population) >= untilFillingFactor) == (rate > 0) ||
@@ -38,6 +43,7 @@ public class GrowthSpec @JvmOverloads constructor(
 /** Checks the growth of a scenario and puts it into its boundary. */
 internal class GrowthSetup(private val scenario: Scenario, private val check: ValueCheck) {
     private val spec = scenario.growth
+    private val since = spec?.since ?: scenario.startTime
 
     /** The [boundary] of the scenario around [box], in which spheres grow if they are to. */
     fun boundary(boundary: BoundaryConditions, box: Box): BoundaryConditions {
@@ -51,6 +57,12 @@ internal class GrowthSetup(private val scenario: Scenario, private val check: Va
                 "must be > 1, that of an ideal gas"
             }
         }
+        val scale = scaleAt(scenario.startTime)
+        spec.since?.let { time ->
+            check.that("growth.since", time, scale > 0 && scale.isFinite()) {
+                "makes radii at the start, time ${scenario.startTime}, $scale times those; must be > 0 and finite"
+            }
+        }
         fun need(isMet: Boolean, what: String) = check.must("growth", isMet) { "needs $what" }
         need(scenario.boundary is BoundarySpec.Periodic, "boundary periodic, and has ${scenario.boundary}")
         need(scenario.frame == null, "a frame that does not turn, and so no frame")
@@ -60,8 +72,11 @@ internal class GrowthSetup(private val scenario: Scenario, private val check: Va
         need(isElastic, "elastic collisions, restitution constant with the coefficient 1")
         val isSmooth = scenario.roughness == null && scenario.contacts.all { it.roughness == null }
         need(isSmooth, "smooth spheres, without roughness")
-        return if (spec.rate == 0.0) boundary else GrowingSpheres(box, spec.rate, scenario.startTime, spec.thermostat)
+        return if (spec.rate == 0.0) boundary else GrowingSpheres(box, spec.rate, since, spec.thermostat)
     }
+
+    /** Radii at [time] over those at the time since which they grow. */
+    private fun scaleAt(time: Double) = 1 + (spec?.rate ?: 0.0) * (time - since)
 
     /** The longest step. */
     fun longest(): Double = if (spec == null || spec.rate == 0.0) Double.MAX_VALUE else PART / abs(spec.rate)
@@ -72,7 +87,7 @@ internal class GrowthSetup(private val scenario: Scenario, private val check: Va
      */
     fun checkStart(population: Population, box: Box, duration: Double, end: Double) {
         if (spec == null || spec.rate == 0.0 || population.size == 0) return
-        val change = abs(spec.rate) * duration
+        val change = abs(spec.rate) * duration / scaleAt(scenario.startTime)
         check.that("growth.rate", spec.rate, change <= GrowingSpheres.MOST) {
             "changes radii by more than a tenth in a step of $duration; take a smaller rate or dt"
         }
@@ -99,7 +114,6 @@ internal class GrowthSetup(private val scenario: Scenario, private val check: Va
      */
     fun checkEnd(population: Population, box: Box, duration: Double, now: Double, end: Double) {
         if (spec == null || spec.rate == 0.0 || population.size == 0 || end <= now) return
-        fun scaleAt(time: Double) = 1 + spec.rate * (time - scenario.startTime)
         val what = if (box.space.isPlane) "discs" else "spheres"
         val scale = scaleAt(end) / scaleAt(now)
         val filling = fillingFactor(population.radius, box)

@@ -38,8 +38,8 @@ public object ScenarioJson {
     @JvmStatic
     @JvmOverloads
     public fun parse(text: String, source: String, settings: List<String> = emptyList()): Scenario = try {
-        val tree = Settings.apply(withoutSchema(parseTree(text.removePrefix("\uFEFF"), source), source), settings)
-        SchemaCheck(source).check(tree, Scenario.serializer().descriptor)
+        val given = Settings.apply(withoutSchema(parseTree(text.removePrefix("\uFEFF"), source), source), settings)
+        val tree = SchemaCheck(source).check(given, Scenario.serializer().descriptor)
         checkOutput(tree, source)
         json.decodeFromJsonElement(Scenario.serializer(), tree)
     } catch (e: SerializationException) {

@@ -11,27 +11,29 @@ import kotlinx.serialization.json.JsonElement
 import kotlinx.serialization.json.JsonNull
 import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonPrimitive
+import kotlin.math.abs
 
 /**
  * Compares a JSON tree with what a serializer expects and names the first error by its path: an unknown
  * key with the nearest known one, a missing key, a value of the wrong kind, a number that is not finite.
+ *
+ * A whole number may be written as 1.0 or 1e3, as in JSON Schema; the tree that comes back has it in digits, since the
+ * serializer takes nothing else.
  */
 @OptIn(ExperimentalSerializationApi::class)
 internal class SchemaCheck(private val source: String) {
-    fun check(tree: JsonElement, descriptor: SerialDescriptor) {
-        check(tree, descriptor, "")
-    }
+    fun check(tree: JsonElement, descriptor: SerialDescriptor): JsonElement = check(tree, descriptor, "")
 
-    private fun check(element: JsonElement, descriptor: SerialDescriptor, path: String) {
+    private fun check(element: JsonElement, descriptor: SerialDescriptor, path: String): JsonElement {
         if (element is JsonNull) {
-            if (descriptor.isNullable) return
+            if (descriptor.isNullable) return element
             fail(path, "is null; ${expected(descriptor)}")
         }
-        when (descriptor.kind) {
+        return when (descriptor.kind) {
             StructureKind.CLASS, StructureKind.OBJECT -> checkObject(element, descriptor, path)
             StructureKind.LIST -> {
                 if (element !is JsonArray) fail(path, "is ${shown(element)}; ${expected(descriptor)}")
-                element.forEachIndexed { k, e -> check(e, descriptor.getElementDescriptor(0), "$path[$k]") }
+                JsonArray(element.mapIndexed { k, e -> check(e, descriptor.getElementDescriptor(0), "$path[$k]") })
             }
             PolymorphicKind.SEALED -> checkSealed(element, descriptor, path)
             SerialKind.ENUM -> {
@@ -39,6 +41,7 @@ internal class SchemaCheck(private val source: String) {
                 if (name !in descriptor.names()) {
                     fail(path, "is ${shown(element)}; ${choices(name.orEmpty(), descriptor.names())}")
                 }
+                element
             }
             else -> checkPrimitive(element, descriptor, path)
         }
@@ -51,7 +54,7 @@ internal class SchemaCheck(private val source: String) {
         path: String,
         type: String? = null,
         types: SerialDescriptor? = null,
-    ) {
+    ): JsonElement {
         if (element !is JsonObject) fail(path, "is ${shown(element)}; ${expected(descriptor)}")
         val known = descriptor.names()
         for (key in element.keys) {
@@ -60,18 +63,20 @@ internal class SchemaCheck(private val source: String) {
                 fail(join(path, brief(key)), "$which; ${elsewhere(key, types, path) ?: choices(key, known)}")
             }
         }
+        val checked = LinkedHashMap(element)
         for (k in 0 until descriptor.elementsCount) {
             val name = descriptor.getElementName(k)
             val child = element[name]
             if (child != null) {
-                check(child, descriptor.getElementDescriptor(k), join(path, name))
+                checked[name] = check(child, descriptor.getElementDescriptor(k), join(path, name))
             } else if (!descriptor.isElementOptional(k)) {
                 fail(join(path, name), "is missing; ${expected(descriptor.getElementDescriptor(k))}")
             }
         }
+        return JsonObject(checked)
     }
 
-    private fun checkSealed(element: JsonElement, descriptor: SerialDescriptor, path: String) {
+    private fun checkSealed(element: JsonElement, descriptor: SerialDescriptor, path: String): JsonElement {
         if (element !is JsonObject) fail(path, "is ${shown(element)}; ${expected(descriptor)}")
         val types = descriptor.getElementDescriptor(1)
         val type = element["type"] ?: fail(join(path, "type"), missing(element, types, path))
@@ -79,7 +84,7 @@ internal class SchemaCheck(private val source: String) {
         if (name == null || name !in types.names()) {
             fail(join(path, "type"), "is ${shown(type)}; ${choices(name.orEmpty(), types.names())}")
         }
-        checkObject(element, types.getElementDescriptor(types.getElementIndex(name)), path, name, types)
+        return checkObject(element, types.getElementDescriptor(types.getElementIndex(name)), path, name, types)
     }
 
     /** Which others of [types] have [key]; null when none has. */
@@ -106,15 +111,15 @@ internal class SchemaCheck(private val source: String) {
         return "is missing; ${hint}it must be one of ${types.names().joinToString()}"
     }
 
-    private fun checkPrimitive(element: JsonElement, descriptor: SerialDescriptor, path: String) {
+    private fun checkPrimitive(element: JsonElement, descriptor: SerialDescriptor, path: String): JsonElement {
         val primitive = element as? JsonPrimitive ?: fail(path, "is ${shown(element)}; ${expected(descriptor)}")
         val ok = when (descriptor.kind) {
             PrimitiveKind.STRING -> primitive.isString
             PrimitiveKind.BOOLEAN ->
                 !primitive.isString &&
                     (primitive.content == "true" || primitive.content == "false")
-            PrimitiveKind.INT -> !primitive.isString && primitive.content.toIntOrNull() != null
-            PrimitiveKind.LONG -> !primitive.isString && primitive.content.toLongOrNull() != null
+            PrimitiveKind.INT -> whole(primitive)?.takeIf { it in Int.MIN_VALUE..Int.MAX_VALUE } != null
+            PrimitiveKind.LONG -> whole(primitive) != null
             else ->
                 !primitive.isString &&
                     JSON_NUMBER.matches(primitive.content) &&
@@ -123,6 +128,17 @@ internal class SchemaCheck(private val source: String) {
         if (!ok) fail(path, "is ${shown(element)}; ${expected(descriptor)}")
         // It could be written into no file.
         if (!Charsets.UTF_8.newEncoder().canEncode(primitive.content)) fail(path, HALF)
+        val isWhole = descriptor.kind == PrimitiveKind.INT || descriptor.kind == PrimitiveKind.LONG
+        return if (isWhole) JsonPrimitive(whole(primitive)) else primitive
+    }
+
+    /** The whole number that it is; null for others. */
+    private fun whole(primitive: JsonPrimitive): Long? {
+        if (primitive.isString) return null
+        primitive.content.toLongOrNull()?.let { return it }
+        if (!JSON_NUMBER.matches(primitive.content)) return null
+        val value = primitive.content.toDouble()
+        return if (abs(value) <= MOST_EXACT && value % 1.0 == 0.0) value.toLong() else null
     }
 
     private fun expected(descriptor: SerialDescriptor): String = "it must be " + when (descriptor.kind) {
@@ -162,6 +178,9 @@ internal class SchemaCheck(private val source: String) {
 
     private companion object {
         const val HALF = "has half of a character (one of \\ud800 to \\udfff without its other half); give both halves"
+
+        /** Every whole number up to it is a double. */
+        const val MOST_EXACT = 9007199254740992.0
         const val MOST_SHOWN = 40
         const val MOST_LOOKED_AT = 1000
         val JSON_NUMBER = Regex("""-?\d+(\.\d+)?([eE][+-]?\d+)?""")

@@ -152,6 +152,24 @@ public class WallFacesSpec @JvmOverloads constructor(
 ) {
     internal val named: List<WallFaceSpec?> get() = listOf(lowerX, upperX, lowerY, upperY, lowerZ, upperZ)
 
+    /** Those that are pistons, by face. */
+    internal val pistons: Map<Int, WallMotionSpec.Piston>
+        get() = buildMap {
+            named.forEachIndexed { face, spec -> (spec?.motion as? WallMotionSpec.Piston)?.let { put(face, it) } }
+        }
+
+    /** The same with pistons at the position and speed in [states], by face. */
+    internal fun withPistons(states: Map<Int, List<Double>>): WallFacesSpec {
+        val all = named.mapIndexed { face, spec ->
+            val piston = spec?.motion as? WallMotionSpec.Piston
+            val state = states[face]
+            if (piston == null || state == null) return@mapIndexed spec
+            val moved = WallMotionSpec.Piston(piston.mass, piston.force, position = state[0], velocity = state[1])
+            WallFaceSpec(spec.restitution, moved, spec.temperature)
+        }
+        return WallFacesSpec(all[0], all[1], all[2], all[3], all[4], all[5])
+    }
+
     /** The faces for a reader, such as `, lowerZ sine of amplitude 1, frequency 2`. */
     internal fun inWords(number: DoubleFunction<String>): String {
         val told = named.mapIndexedNotNull { face, spec -> spec?.let { "${NAMES[face]} ${it.inWords(number)}" } }

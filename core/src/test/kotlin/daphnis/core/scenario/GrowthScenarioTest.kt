@@ -9,6 +9,7 @@ import daphnis.core.initial.fillingFactor
 import daphnis.core.run.Run
 import daphnis.core.run.RunDirectory
 import daphnis.core.run.RunException
+import daphnis.core.run.RunOrigin
 import daphnis.core.run.Summary
 import daphnis.core.run.results
 import daphnis.core.run.toStep
@@ -47,6 +48,33 @@ class GrowthScenarioTest {
     private fun refused(vararg settings: String): String = assertThrows(InputException::class.java) {
         ScenarioSetup.of(scenario(*settings), "test")
     }.message.orEmpty().also { assertFalse('\n' in it) { it } }
+
+    @Test
+    fun `from any state of it, a run grows on to the same bits, or at another rate over the radii of the state`() {
+        for ((name, rate) in listOf("grow" to 0.1, "shrink" to -0.2)) {
+            fun run(n: String, from: RunOrigin?, vararg settings: String): Summary =
+                Run.start(scenario("growth.rate=$rate", *settings), "test", home.resolve("$name-$n"), from = from)
+                    .use { it.execute() }
+            val digest = run("whole", null).stateDigest
+            val whole = Run.open(home.resolve("$name-whole"))
+            for (step in whole.steps().dropLast(1)) {
+                assertEquals(digest, run("$step", RunOrigin(whole, whole.atStep(step))).stateDigest) { "step $step" }
+            }
+            val second = Run.open(home.resolve("$name-4"))
+            val again = RunOrigin(second, second.atStep(4))
+            for ((n, own) in listOf("b" to second.scenario()!!, "e" to scenario("growth.rate=$rate"))) {
+                val third = Run.start(own, "test", home.resolve("$name-$n"), from = again)
+                assertEquals(digest, third.use { it.execute() }.stateDigest) { n }
+            }
+            for ((n, from) in listOf("c" to RunOrigin(whole, whole.atStep(8)), "d" to again)) {
+                val start = from.state.radius[0] / 0.6
+                assertEquals(1 + rate * 0.8, start, 1e-12)
+                run(n, from, "growth.rate=0.05")
+                val end = Run.open(home.resolve("$name-$n")).last().radius[0] / 0.6
+                assertEquals(start * (1 + 0.05 * 1.2), end, 1e-12)
+            }
+        }
+    }
 
     @Test
     fun `killed at any step, a run goes on with the same radii, pressure and end`() {
@@ -121,6 +149,8 @@ class GrowthScenarioTest {
         assertTrue("growth.untilPressure: is 1" in refused("growth.untilPressure=1"))
         assertTrue("growth.rate: is 0.5; makes spheres fill" in refused("growth.rate=0.5"))
         assertTrue("vanish" in refused("growth.rate=-0.6"))
+        assertTrue("growth.since: is -20.0; makes radii" in refused("growth.rate=-0.05", "growth.since=-20"))
+        assertTrue("growth.since: is NaN" in refused("growth.since=NaN"))
         assertTrue("growth.rate" in refused("growth.rate=1e999"))
         // γ = 0.45/(1 − 0.45 · 1.9) in the last step.
         assertTrue("growth.rate: is -0.45; shrinks radii by 0.31 of" in refused("growth.rate=-0.45"))

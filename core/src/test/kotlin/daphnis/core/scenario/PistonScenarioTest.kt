@@ -1,5 +1,6 @@
 package daphnis.core.scenario
 
+import daphnis.core.run.RecordedRun
 import daphnis.core.run.Run
 import daphnis.core.run.RunDirectory
 import daphnis.core.run.RunOrigin
@@ -68,22 +69,44 @@ class PistonScenarioTest {
     }
 
     @Test
-    fun `a start from a state tells that the piston begins as the scenario says, until that is set`() {
-        val inward = plain.replace("-9", "-40")
-        val whole = home.resolve("whole")
-        Run.start(scenario(inward, "output.snapshotEvery=20"), "test", whole).use { it.execute() }
-        val run = Run.open(whole)
-        fun told(n: Int, origin: RunOrigin, vararg settings: String) =
-            Run.start(scenario(inward, "until=5", *settings), "test", home.resolve("$n"), from = origin)
-                .use { it.notices.filter { notice -> "a piston is not part" in notice } }
+    fun `a start from a state has the piston where it was, inward or outward, to the bits of the uninterrupted run`() {
         val key = "boundary.faces.upperX.motion"
-        assertEquals(emptyList<String>(), told(1, RunOrigin(run, run.atStep(0))))
-        val notice = told(2, RunOrigin(run, run.last()), "$key.position=0.0")
-        assertTrue("piston_position_upper_x and piston_speed_upper_x" in notice.single()) { "$notice" }
-        assertTrue("$key.position (0.0)" in notice.single()) { "$notice" }
-        val last = Files.readAllLines(whole.resolve("series.csv")).map { it.split(',') }
-        val at = last.last()[last[0].indexOfFirst { it.startsWith("piston_position_upper_x") }]
-        assertEquals(emptyList<String>(), told(3, RunOrigin(run, run.last()), "$key.position=$at"))
+        for ((name, motion) in listOf("out" to plain, "in" to plain.replace("-9", "-40"))) {
+            val whole = home.resolve(name)
+            Run.start(scenario(motion, "output.snapshotEvery=7"), "test", whole).use { it.execute() }
+            val run = Run.open(whole)
+            fun digest(n: String, origin: RunOrigin, vararg settings: String): String = Run.start(
+                scenario(motion, "output.snapshotEvery=7", *settings),
+                "test",
+                home.resolve("$name-$n"),
+                from = origin,
+            )
+                .use { it.execute().stateDigest }
+            for (step in run.steps().dropLast(1)) {
+                assertEquals(run.summary()!!.stateDigest, digest("$step", RunOrigin(run, run.atStep(step)))) { "$step" }
+            }
+            val written = Run.open(home.resolve("$name-7"))
+            val state = written.atStep(written.steps()[1])
+            assertEquals(run.summary()!!.stateDigest, digest("again", RunOrigin(written, state)))
+        }
+    }
+
+    @Test
+    fun `a state of which nothing says where the piston was is refused, and a wall that was none begins as it is said`() {
+        fun run(name: String, motion: String) = home.resolve(name).let { directory ->
+            val settings = arrayOf("output.snapshotEvery=7", "output.seriesEvery=5")
+            Run.start(scenario(motion, *settings), "test", directory).use { it.execute() }
+            Run.open(directory)
+        }
+        fun start(n: Int, run: RecordedRun, motion: String = plain) =
+            Run.start(scenario(motion), "test", home.resolve("$n"), from = RunOrigin(run, run.atStep(7)))
+        val run = run("whole", plain)
+        val told = assertThrows(InputException::class.java) { start(1, run) }.message.orEmpty()
+        assertTrue("boundary.faces.upperX.motion: is a piston, and nothing says where it was" in told) { told }
+        start(2, run, """"type": "steady", "velocity": 0.1""").close()
+        start(3, run("steady", """"type": "steady", "velocity": 0"""), """$plain, "position": 0.5""").close()
+        val written = ScenarioJson.read(home.resolve("3/scenario.json")).boundary as BoundarySpec.Walls
+        assertEquals(0.5, written.faces!!.pistons.getValue(1).position)
     }
 
     @Test

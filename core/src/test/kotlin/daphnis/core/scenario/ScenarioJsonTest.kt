@@ -109,6 +109,14 @@ class ScenarioJsonTest {
     }
 
     @Test
+    fun `whole numbers may be written with a point or an exponent, as the schema has them`() {
+        fun of(vararg settings: String) = ScenarioJson.write(ScenarioJson.parse(good, "test", settings.toList()))
+        assertEquals(of("particles.count=20", "seed=-3"), of("particles.count=20.0", "seed=-3.0"))
+        assertEquals(of("particles.count=20", "seed=0"), of("particles.count=2e1", "seed=-0.0"))
+        assertTrue("\"seed\": ${Long.MIN_VALUE}," in of("seed=${Long.MIN_VALUE}"))
+    }
+
+    @Test
     fun `a missing key, a wrong kind of value and numbers that are none are named`() {
         assertWrong(good.replace("\"until\": 1.0,", ""), emptyList(), "until", "is missing")
         assertWrong("until=soon", "until", "\"soon\"", "finite number")
@@ -118,6 +126,9 @@ class ScenarioJsonTest {
         assertWrong("until=[1]", "until", "[1]", "finite number")
         assertWrong("particles.count=1.5", "particles.count", "1.5", "whole number")
         assertWrong("particles.count=\"20\"", "particles.count", "whole number")
+        assertWrong("particles.count=1e10", "particles.count", "1e10", "whole number below")
+        assertWrong("particles.count=1e999999999", "particles.count", "whole number below")
+        assertWrong("seed=9007199254740994.0", "seed", "whole number")
         assertWrong("box.lengths=[1,2]", "box.lengths", "three")
         assertWrong("box.lengths=[10,10,\"x\"]", "box.lengths[2]", "finite number")
         assertWrong("box=3", "box", "3", "object")

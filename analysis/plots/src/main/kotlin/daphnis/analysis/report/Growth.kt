@@ -7,23 +7,44 @@ import daphnis.analysis.plot.SeriesPlots
 import daphnis.analysis.table.Column
 import daphnis.analysis.table.Table
 import daphnis.core.run.SeriesColumns
+import kotlin.math.abs
 
 /** A run whose spheres grow: no time of it is like another, so nothing is averaged over time. */
 internal object Growth {
-    /** Whether the scenario of [input] lets spheres grow or shrink. */
-    fun isSeen(input: AnalysisInput): Boolean = input.scenario?.growth?.let { it.rate != 0.0 } == true
+    /** Whether the scenario of [input] lets spheres grow or shrink, or most of a file have other radii in the end. */
+    fun isSeen(input: AnalysisInput): Boolean {
+        input.scenario?.growth?.let { if (it.rate != 0.0) return true }
+        if (input.directory != null && input.scenario != null || input.size < 2) return false
+        val first = input.snapshot(0)
+        val last = input.snapshot(input.size - 1)
+        val before = HashMap<Int, Double>()
+        for (k in 0 until first.size) before[first.id[k]] = first.radius[k]
+        val others = (0 until last.size).count { k ->
+            val radius = before[last.id[k]] ?: return@count false
+            abs(last.radius[k] - radius) > SAME * radius
+        }
+        return 2 * others > last.size
+    }
 
     /** That numbers are of the last state alone, and why. */
     fun remark(study: Study): String {
         val all = study.input.series?.takeIf { SeriesColumns.FILLING_FACTOR in it }?.get(SeriesColumns.FILLING_FACTOR)
-        val path = all?.takeIf { it.size >= 2 }
-            ?.let {
-                " from the filling factor ${ReportText.short(
-                    it.first(),
-                )} to ${ReportText.short(study.bulk.fillingFactor)}"
-            }
-            .orEmpty()
-        val change = if (study.input.scenario?.growth?.let { it.rate < 0 } == true) "shrink" else "grow"
+        val first = if (study.input.series != null) {
+            all?.takeIf { it.size >= 2 }?.first()
+        } else {
+            Bulk(study.input.state(0), study.input).fillingFactor
+        }
+        val path = first?.takeIf { it.isFinite() }?.let {
+            " from the filling factor ${ReportText.short(it)} to ${ReportText.short(study.bulk.fillingFactor)}"
+        }.orEmpty()
+        val rate = study.input.scenario?.growth?.rate ?: 0.0
+        val change = if (rate < 0) {
+            "shrink"
+        } else if (rate > 0) {
+            "grow"
+        } else {
+            "change their radii"
+        }
         val what = "The ${study.bodies} $change$path, so averages over time mean nothing"
         return if (study.averaged.size == 1) "$what: numbers are of one state." else "$what."
     }
@@ -70,4 +91,7 @@ internal object Growth {
         Table("compression", columns + if (isEqual) listOf(Column("fluid", "", fluid)) else emptyList())
             .write(study.tables)
     }
+
+    /** Rounding of radii in files, relative to them. */
+    private const val SAME = 1e-6
 }

@@ -44,7 +44,7 @@ internal class Rotation(input: AnalysisInput, private val from: Double, last: St
                 val rotational = table[SeriesColumns.ROTATIONAL_TEMPERATURE][row]
                 when (k) {
                     TEMPERATURE -> rotational
-                    RATIO -> rotational / table[SeriesColumns.GRANULAR_TEMPERATURE][row]
+                    RATIO -> over(rotational, table[SeriesColumns.GRANULAR_TEMPERATURE][row])
                     else -> table[SeriesColumns.MEAN_SPIN[k - SPIN]][row]
                 }
             },
@@ -57,12 +57,19 @@ internal class Rotation(input: AnalysisInput, private val from: Double, last: St
         val moments = VelocityMoments.within(state.boundary, state.population, state.frequencies, state.firstBody)
         val temperature = number("temperature") / number("mean_mass")
         val spins = listOf("mean_wx", "mean_wy", "mean_wz").map(::number)
-        return doubleArrayOf(temperature, temperature / moments.temperature) + spins
+        return doubleArrayOf(temperature, over(temperature, moments.temperature)) + spins
     }
+
+    /** NaN where spheres are at rest, and their temperature is rounding. */
+    private fun over(rotational: Double, translational: Double): Double =
+        if (translational > LOST * rotational) rotational / translational else Double.NaN
 
     private companion object {
         const val TEMPERATURE = 0
         const val RATIO = 1
         const val SPIN = 2
+
+        /** Rounding of speeds, squared, with room to spare. */
+        const val LOST = 1e-24
     }
 }

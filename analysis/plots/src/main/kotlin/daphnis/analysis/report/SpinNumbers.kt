@@ -19,7 +19,8 @@ internal class SpinNumbers(private val study: Study, private val rows: NumberRow
             if (omega == null) study.units.temperature else "r² Ω²",
             "with the mean spin in it",
         )
-        if (study.input.hasVelocities) {
+        // Of spheres that only spin there is none.
+        if (study.input.hasVelocities && rotation.ratio.mean.isFinite()) {
             rows.average(
                 "rotational_over_translational",
                 "rotational over translational temperature",

@@ -1,6 +1,7 @@
 package daphnis.analysis.report
 
 import daphnis.analysis.input.AnalysisInput
+import daphnis.core.format.H5md
 import daphnis.core.run.Run
 import daphnis.core.scenario.BuiltIn
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -31,6 +32,24 @@ class GrowthReportTest {
         val numbers = rows.drop(1).map { line -> line.split(',').map { it.toDouble() } }
         for (row in numbers) assertEquals(EquationOfState.ofSpheres(row[1]), row[3], 1e-6 * row[3])
         assertEquals(1.0, numbers.map { it[2] / it[3] }.average(), 0.2)
+    }
+
+    @Test
+    fun `a file whose spheres change their radii says so, and its numbers are of its last state`(@TempDir home: Path) {
+        val settings = listOf("particles.count=200", "until=6", "output.snapshotEvery=20", "box.lengths=[8,8,8]")
+        Run.start(BuiltIn.scenario("glass", settings), "glass", home).use { it.execute() }
+        val file = home.resolve("grown.h5")
+        H5md.write(Run.open(home).states().toList(), file, "test")
+        val out = home.resolve("out")
+        Analysis(AnalysisInput.ofFile(file, null, "")).write(out)
+        val page = Files.readString(out.resolve("report.html"))
+        val run = AnalysisInput.ofRun(home)
+        val ends = listOf(0, run.size - 1).map { ReportText.short(Bulk(run.state(it), run).fillingFactor) }
+        val what = "The spheres change their radii from the filling factor ${ends[0]} to ${ends[1]}, so averages over time"
+        assertTrue("$what mean nothing: numbers are of one state." in page) {
+            page.substringAfter("The spheres").take(300)
+        }
+        assertTrue("Averages over 1 state of 7" in page)
     }
 
     private fun name(heading: String) = heading.substringBefore(' ')
