@@ -11,6 +11,7 @@ memory, step by step. Laws and forces may be functions of Python: `restitution`,
 """
 
 from ._errors import DaphnisError, DaphnisWarning, FormatError, InputError, Interrupted, JavaError, RunError
+from ._interrupts import end_by_signal as _end_by_signal
 from ._jvm import start
 from ._version import __version__
 from .laws import (
@@ -36,6 +37,8 @@ from .scenarios import Scenario, scenario, scenarios
 from .simulation import Simulation
 from .starting import resume, run
 from .states import State, States
+
+_end_by_signal()
 
 __all__ = [
     "Contact",

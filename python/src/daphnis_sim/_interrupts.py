@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import ctypes
 import os
 import signal
 import sys
 import threading
 from typing import Any
 
-from ._errors import PythonFailure
+from ._errors import Interrupted, PythonFailure
 
 
 class CtrlC:
@@ -18,19 +19,24 @@ class CtrlC:
     a fault and its kind would be lost. The second Ctrl-C raises KeyboardInterrupt all the same, for functions of Python
     which do not end; it is kept in `failure`, so that it comes out of Java as it is.
 
-    Signals reach the main thread only, so elsewhere nothing is noted. A handler that ignores Ctrl-C stays, and so does
+    Signals reach the main thread only. In another thread it counts as pressed when a Ctrl-C that nobody caught has
+    ended the main one, and Python waits for the others. A handler that ignores Ctrl-C stays, and so does
     one that was not installed from Python, since Python could not put it back. With `any_handler` those of others
     make way meanwhile, otherwise only Python's own does.
     """
 
     def __init__(self, failure: PythonFailure, any_handler: bool) -> None:
-        self.pressed = False
+        self._noted = False
         self._failure = failure
         self._any_handler = any_handler
         self._before: Any = None
 
+    @property
+    def pressed(self) -> bool:
+        return self._noted or (not _in_main_thread() and _ended_by_ctrl_c())
+
     def __enter__(self) -> CtrlC:
-        if threading.current_thread() is threading.main_thread():
+        if _in_main_thread():
             before = signal.getsignal(signal.SIGINT)
             if before is signal.default_int_handler or (self._any_handler and callable(before)):
                 signal.signal(signal.SIGINT, self._note)
@@ -43,11 +49,47 @@ class CtrlC:
             self._before = None
 
     def _note(self, *_: object) -> None:
-        if self.pressed:
+        if self._noted:
             again = KeyboardInterrupt()
             self._failure.keep(again)
             raise again
-        self.pressed = True
+        self._noted = True
+
+
+def _in_main_thread() -> bool:
+    return threading.current_thread() is threading.main_thread()
+
+
+def _ended_by_ctrl_c() -> bool:
+    """Whether a Ctrl-C that nobody caught has ended the program; at a prompt there is always a next line."""
+    if hasattr(sys, "ps1") or sys.flags.interactive:
+        return False
+    last = getattr(sys, "last_type", None)
+    return isinstance(last, type) and issubclass(last, KeyboardInterrupt)
+
+
+def end_by_signal() -> None:
+    """Lets a program that an `Interrupted` ends, which nobody caught, end by SIGINT, so that a loop of a shell ends too.
+
+    Python does so for a KeyboardInterrupt itself only, not for its kinds: it looks at what runs at its top level.
+    """
+    before = sys.excepthook
+
+    def hook(kind: Any, error: Any, trace: Any) -> None:
+        before(kind, error, trace)
+        if issubclass(kind, Interrupted) and _ended_by_ctrl_c():
+            try:
+                ctypes.pythonapi.PyRun_String.restype = ctypes.py_object
+                names: Any = ctypes.py_object({})
+                ctypes.pythonapi.PyRun_String(b"raise KeyboardInterrupt", _FILE_INPUT, names, names)
+            except (AttributeError, KeyboardInterrupt):
+                pass
+
+    sys.excepthook = hook
+
+
+_FILE_INPUT = 257
+"""``Py_file_input``: statements."""
 
 
 class Termination:
@@ -67,7 +109,7 @@ class Termination:
         self._raised: BaseException | None = None
 
     def __enter__(self) -> Termination:
-        if threading.current_thread() is threading.main_thread():
+        if _in_main_thread():
             for number in (signal.SIGTERM, getattr(signal, "SIGHUP", None)):
                 before = None if number is None else signal.getsignal(number)
                 if number is not None and (before is signal.SIG_DFL or callable(before)):

@@ -7,6 +7,7 @@ import daphnis.analysis.plot.RunPlot
 import daphnis.analysis.table.UnitNames
 import daphnis.app.describe.counted
 import daphnis.app.describe.spheres
+import daphnis.app.live.Ending
 import daphnis.app.live.LivePage
 import daphnis.app.printing.printLine
 import daphnis.app.printing.reasonInWords
@@ -60,7 +61,7 @@ internal fun CliktCommand.carryOut(
             val progress = Progress(quiet, run.until, timesOf(run), named(units, Dimension.ENERGY))
             fun interrupted(where: String): Nothing {
                 val words = "interrupted $where; continue with: ${Version.command} resume ${quoted("$directory")}"
-                live?.endsWith(words)
+                live?.endsWith(Ending.Kind.INTERRUPTED, words)
                 printLine(words)
                 throw ProgramResult(EXIT_INTERRUPTED)
             }
@@ -69,9 +70,12 @@ internal fun CliktCommand.carryOut(
             } catch (e: RunException) {
                 if (interruption.requested && e.cause is FleetException) interrupted("while it waited for nodes")
                 throw e
+            } finally {
+                live?.showLast()
             }
             if (!summary.finished) interrupted("after step ${summary.steps}")
-            live?.endsWith("complete after step ${summary.steps}, state digest ${summary.stateDigest}")
+            val end = "after step ${summary.steps}, time ${timesOf(run).text(summary.time)}"
+            live?.endsWith(Ending.Kind.COMPLETE, "complete $end, state digest ${summary.stateDigest}")
             if (run.hasSeries) run.scenario?.let { drawPlot(run.directory, it, run.simulation.population) }
             report(summary, timesOf(run), units)
             if (interruption.requested) {
@@ -79,8 +83,9 @@ internal fun CliktCommand.carryOut(
                 throw ProgramResult(EXIT_INTERRUPTED)
             }
         }
-    } catch (e: RunException) {
-        live?.endsWith("failed: ${e.message}")
+    } catch (e: Throwable) {
+        // An end with a code of its own has been told.
+        if (e !is ProgramResult) live?.endsWith(Ending.Kind.FAILED, "failed: ${reasonInWords(e)}")
         throw e
     } finally {
         // A page that is looked at hears how it ended before the program does.

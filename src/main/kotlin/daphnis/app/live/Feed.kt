@@ -19,10 +19,27 @@ internal class Feed {
     private val watchers = ArrayList<Watcher>()
     private var isEnded = false
 
-    val isWatched: Boolean get() = lock.withLock { watchers.isNotEmpty() }
+    /** Until when a page that has been sent is waited for, by the clock of nanoseconds; null without one. */
+    private var arrival: Long? = null
 
-    /** Whether somebody looks that wants entries of [kind]. */
-    fun wants(kind: String): Boolean = lock.withLock { watchers.any { it.without != kind } }
+    /** Whether somebody looks, or will as soon as its page is there. */
+    val isWatched: Boolean get() = lock.withLock { watchers.isNotEmpty() || isAwaited() }
+
+    /** Whether somebody looks, or will, that wants entries of [kind]. */
+    fun wants(kind: String): Boolean = lock.withLock { isAwaited() || watchers.any { it.without != kind } }
+
+    /** How many look that want entries of [kind]. */
+    fun watching(kind: String): Int = lock.withLock { watchers.count { it.without != kind } }
+
+    /** A page, or a part of one, has been sent, which will look when it has all. */
+    fun expect(): Unit = lock.withLock { arrival = System.nanoTime() + LONGEST_ARRIVAL }
+
+    /** Waits until no page is on its way. */
+    fun awaitArrival(): Unit = lock.withLock { while (isAwaited()) changed.awaitNanos(nanosecondsToArrival()) }
+
+    private fun isAwaited() = nanosecondsToArrival() > 0
+
+    private fun nanosecondsToArrival() = arrival?.let { it - System.nanoTime() } ?: 0
 
     fun put(kind: String, text: String): Unit = lock.withLock {
         if (isEnded) return
@@ -40,6 +57,8 @@ internal class Feed {
      * One more looks, for all kinds but [without]; null when [most] do already. To be closed when it does no longer.
      */
     fun watch(most: Int, without: String? = null): Watcher? = lock.withLock {
+        arrival = null
+        changed.signalAll()
         if (watchers.size >= most) null else Watcher(without).also { watchers += it }
     }
 
@@ -80,5 +99,8 @@ internal class Feed {
         const val SERIES = "series"
         const val PROBLEM = "problem"
         const val END = "end"
+
+        /** From one file of a page to the next, or to when it looks. */
+        private val LONGEST_ARRIVAL = TimeUnit.SECONDS.toNanos(2)
     }
 }

@@ -61,11 +61,15 @@ internal class LiveOutput(private val run: Run, private val feed: Feed, private 
         if (due != BUSY && now - due >= 0) show(simulation)
     }
 
-    /** The last state, for those who look. */
-    override fun finish(simulation: Simulation) {
-        if (!feed.isWatched) return
-        tell(simulation, 0.0, System.nanoTime())
-        show(simulation)
+    /** The state at which the run stands, for those who look; nothing is shown after it. The run has closed its files. */
+    fun showLast() {
+        if (feed.isWatched) {
+            val simulation = run.simulation
+            tell(simulation, pace.left(simulation.time), System.nanoTime())
+            show(simulation)
+        }
+        painter.shutdown()
+        painter.awaitTermination(PATIENCE_SECONDS, TimeUnit.SECONDS)
     }
 
     private fun tell(simulation: Simulation, left: Double, now: Long) {
@@ -85,8 +89,9 @@ internal class LiveOutput(private val run: Run, private val feed: Feed, private 
                 orbits,
                 run.scenario?.firstBody ?: Int.MAX_VALUE,
             )
+            val walls = SeenWalls(simulation.boundary, run.scenario?.boundary, simulation.time)
             val step = simulation.step
-            painter.execute { draw(state, step, begin) }
+            painter.execute { draw(state, walls, step, begin) }
         } catch (e: Exception) {
             problem(e)
         } catch (e: OutOfMemoryError) {
@@ -116,10 +121,10 @@ internal class LiveOutput(private val run: Run, private val feed: Feed, private 
     private fun collisionsOf(simulation: Simulation): Long = simulation.collisions?.counters?.collisions ?: 0
 
     /** On the painter's thread; [begin] is when the copy was begun, which counts too. */
-    private fun draw(state: State, step: Long, begin: Long) {
+    private fun draw(state: State, walls: SeenWalls, step: Long, begin: Long) {
         try {
             if (feed.wants(Feed.STATE)) {
-                newest.put(step, encoder.of(state, step))
+                newest.put(step, encoder.of(state, walls, step))
                 feed.put(Feed.STATE, "{\"number\": $step}")
             }
             if (feed.wants(Feed.PICTURE)) feed.put(Feed.PICTURE, "data:image/png;base64," + base64(picture.png(state)))
@@ -144,12 +149,7 @@ internal class LiveOutput(private val run: Run, private val feed: Feed, private 
 
     /** Pictures end, and the run goes on. */
     private fun problem(e: Throwable) {
-        feed.put(Feed.PROBLEM, "no more pictures: ${inWords(e)}; the run goes on")
-    }
-
-    override fun close() {
-        painter.shutdown()
-        painter.awaitTermination(PATIENCE_SECONDS, TimeUnit.SECONDS)
+        feed.put(Feed.PROBLEM, "no more pictures: ${inWords(e)}; that is no fault of the run")
     }
 
     private fun base64(bytes: ByteArray) = Base64.getEncoder().encodeToString(bytes)

@@ -11,7 +11,8 @@ internal class LivePage(port: Int) : AutoCloseable {
     private val feed = Feed()
     private val newest = NewestState()
     private val server = LiveServer(port, feed, newest)
-    private var ending = "the run has ended"
+    private var output: LiveOutput? = null
+    private var ending = Ending(Ending.Kind.FAILED, "ended before the run had begun")
 
     val address: String get() = server.address
 
@@ -22,20 +23,28 @@ internal class LivePage(port: Int) : AutoCloseable {
             Feed.RUN,
             "{\"name\": ${JsonPrimitive(name)}, \"directory\": ${JsonPrimitive("${run.directory.path}")}}",
         )
-        return Both(usual, LiveOutput(run, feed, newest))
+        val live = LiveOutput(run, feed, newest)
+        output = live
+        return Both(usual, live)
     }
 
-    /** What the page says at the end. */
-    fun endsWith(text: String) {
-        ending = text
+    /** What the page says at the end, of [kind]. */
+    fun endsWith(kind: Ending.Kind, words: String) {
+        ending = Ending(kind, words)
+    }
+
+    /** Shows the state at which the run stands, with all that is in its files: when it has ended, and before it closes. */
+    fun showLast() {
+        output?.showLast()
     }
 
     override fun close() {
+        feed.awaitArrival()
         // Who has been told of the end is no longer counted.
-        val isSeen = feed.wants(Feed.STATE)
-        feed.end(ending)
-        // The last state is looked at longest.
-        if (isSeen) newest.awaitAsked(PATIENCE_MILLISECONDS)
+        val watching = feed.watching(Feed.STATE)
+        feed.end(ending.json())
+        // The last state is looked at longest: each page gets it.
+        newest.awaitAsked(watching, PATIENCE_MILLISECONDS)
         server.close()
     }
 

@@ -80,7 +80,10 @@ internal class LiveServer(
                 exchange.responseHeaders["Allow"] = "GET"
                 refuse(exchange, 405)
             }
-            page != null -> send(exchange, page)
+            page != null -> {
+                feed.expect()
+                send(exchange, page)
+            }
             path != EVENTS && path != CHANGES && stateOf(path) == null -> refuse(exchange, 404)
             exchange.requestHeaders.getFirst("Sec-Fetch-Site") !in OWN_SITE -> refuse(exchange, 403)
             path == EVENTS -> watch(exchange, Feed.STATE)
@@ -109,7 +112,8 @@ internal class LiveServer(
 
     private fun send(exchange: HttpExchange, number: Long) {
         val bytes = try {
-            states.bytes(number) ?: return refuse(exchange, 404)
+            // Another one has taken its place since it was told of: no error of who asks.
+            states.bytes(number) ?: return refuse(exchange, 204)
         } catch (e: Exception) {
             return sendProblem(exchange, e)
         } catch (e: OutOfMemoryError) {

@@ -3,6 +3,7 @@ package daphnis.app.live
 import daphnis.analysis.insitu.State
 import daphnis.analysis.plot.PlotScale
 import daphnis.analysis.plot.RunPlot
+import daphnis.analysis.series.SeriesTable
 import daphnis.analysis.table.UnitNames
 import daphnis.app.describe.counted
 import daphnis.core.boundary.BoundaryConditions
@@ -11,6 +12,7 @@ import daphnis.core.boundary.ContactFaces
 import daphnis.core.format.Snapshot
 import daphnis.core.population.Population
 import daphnis.core.run.RecordedRun
+import daphnis.core.run.SeriesColumns
 import daphnis.core.scenario.InputException
 import daphnis.core.scenario.Surroundings
 import daphnis.core.scenario.WayOut
@@ -52,7 +54,23 @@ internal class RunView(private val run: RecordedRun) : StateSource {
         }
         val boundary = around?.boundary ?: FileBoundary(snapshot)
         val state = State(snapshot.population(), boundary, snapshot.time, around?.frequencies, firstBody)
-        return encoder.of(state, number)
+        return encoder.of(state, SeenWalls(boundary, scenario?.boundary, snapshot.time) { piston(it, snapshot) }, number)
+    }
+
+    /** Displacement of the piston at [face], which the time series has; null where it does not reach that far. */
+    private fun piston(face: Int, snapshot: Snapshot): Double? {
+        val series = run.directory.series
+        if (!Files.exists(series)) return null
+        val table = SeriesTable.read(series)
+        val column = SeriesColumns.PISTON_POSITION[face]
+        if (column !in table) return null
+        val times = table[SeriesColumns.TIME]
+        val places = table[column]
+        val next = times.indexOfFirst { it >= snapshot.time }
+        if (next < 0) return places.lastOrNull()
+        if (next == 0 || times[next] == snapshot.time) return places[next]
+        val part = (snapshot.time - times[next - 1]) / (times[next] - times[next - 1])
+        return places[next - 1] + part * (places[next] - places[next - 1])
     }
 
     /** What the page has to know before states. */

@@ -4,7 +4,6 @@ import daphnis.analysis.insitu.State
 import daphnis.analysis.plot.PlotScale
 import daphnis.analysis.table.UnitNames
 import daphnis.app.describe.spheres
-import daphnis.core.boundary.ContactFaces
 import daphnis.core.boundary.ImageShear
 import daphnis.core.space.Space
 import kotlinx.serialization.json.JsonArray
@@ -27,14 +26,14 @@ import kotlin.math.sqrt
  *   every state while there are as many
  */
 internal class StateBytes(private val scale: PlotScale, private val most: Int = MOST) {
-    /** [state] with its [number] in the run. Any thread may call; the state must not change meanwhile. */
-    fun of(state: State, number: Long): ByteArray {
+    /** [state] within [walls], with its [number] in the run. Any thread may call; the state must not change meanwhile. */
+    fun of(state: State, walls: SeenWalls, number: Long): ByteArray {
         val p = state.population
         val shown = shown(state)
         val bodies = shown.indexOfFirst { state.isParticle(it) }.let { if (it < 0) shown.size else it }
-        val spans = List(AXES) { span(state, it, shown) }
+        val spans = List(AXES) { span(state, walls, it, shown) }
         val origin = DoubleArray(AXES) { spans[it].middle }
-        val head = head(state, number, shown.size, bodies, spans).toByteArray()
+        val head = head(state, walls, number, shown.size, bodies, spans).toByteArray()
         val buffer = ByteBuffer.allocate(Int.SIZE_BYTES + head.size + shown.size * BYTES_A_SPHERE)
         buffer.order(ByteOrder.LITTLE_ENDIAN).putInt(head.size).put(head)
         for (axis in 0 until AXES) {
@@ -74,18 +73,15 @@ internal class StateBytes(private val scale: PlotScale, private val most: Int = 
 
     private fun stride(state: State) = maxOf(1, (state.population.size + most - 1) / most)
 
-    /** What there is to see along an axis. @property isClosed whether these are faces of the box */
+    /** What there is to see along an axis. @property isClosed whether the box or a wall ends there */
     private class Span(val low: Double, val high: Double, val isClosed: Boolean) {
         val middle get() = low + (high - low) / 2
     }
 
-    /** The box, or where its faces are open all spheres but the outermost in a thousand at each end. */
-    private fun span(state: State, axis: Int, shown: IntArray): Span {
-        val box = state.boundary.box
+    /** The room, or where it is open all spheres but the outermost in a thousand at each end. */
+    private fun span(state: State, walls: SeenWalls, axis: Int, shown: IntArray): Span {
         if (axis == 2 && state.dimensions == 2) return Span(0.0, 0.0, false)
-        if (state.boundary.contactFaces(axis) != ContactFaces.OPEN && box.length(axis).isFinite()) {
-            return Span(box.lower(axis), box.upper(axis), true)
-        }
+        walls.extent(axis)?.let { return Span(it.start, it.endInclusive, true) }
         if (shown.isEmpty()) return Span(-1.0, 1.0, false)
         val p = state.population
         val stride = shown.size / MOST_LOOKED_AT + 1
@@ -96,19 +92,26 @@ internal class StateBytes(private val scale: PlotScale, private val most: Int = 
         return Span(places[rare] - margin, places[places.size - 1 - rare] + margin, false)
     }
 
-    private fun head(state: State, number: Long, count: Int, bodies: Int, spans: List<Span>): String {
+    private fun head(
+        state: State,
+        walls: SeenWalls,
+        number: Long,
+        count: Int,
+        bodies: Int,
+        spans: List<Span>,
+    ): String {
         fun numbers(of: (Span) -> Double) = JsonArray(spans.map { JsonPrimitive(of(it)) })
         val tree = buildJsonObject {
             put("number", JsonPrimitive(number))
             put("time", JsonPrimitive(timeText(state.time)))
             put("timeNumber", JsonPrimitive(state.time / scale.time))
-            put("about", JsonPrimitive(about(state, count, spans)))
+            put("about", JsonPrimitive(about(state, walls, count, spans)))
             put("count", JsonPrimitive(count))
             put("bodies", JsonPrimitive(bodies))
             put("dimensions", JsonPrimitive(state.dimensions))
             put("origin", numbers { it.middle })
             put("halves", numbers { (it.high - it.low) / 2 })
-            put("box", JsonArray(spans.map(::edges)))
+            put("lines", JsonArray(lines(walls, spans)))
             put("flow", JsonPrimitive(flow(state)))
             put("every", JsonPrimitive(stride(state)))
             put("repeats", JsonArray(List(AXES - 1) { JsonPrimitive(state.boundary.repeats(it)) }))
@@ -135,22 +138,32 @@ internal class StateBytes(private val scale: PlotScale, private val most: Int = 
         put("offset", JsonPrimitive(shear.offset(time)))
     }
 
-    private fun edges(span: Span): JsonElement =
-        if (span.isClosed) JsonArray(listOf(JsonPrimitive(span.low), JsonPrimitive(span.high))) else JsonNull
+    /** Places from the middle, three numbers each, of pieces of straight lines with two ends. */
+    private fun lines(walls: SeenWalls, spans: List<Span>): List<JsonElement> {
+        val low = DoubleArray(AXES) { spans[it].low }
+        val high = DoubleArray(AXES) { spans[it].high }
+        return WallLines(walls, low, high).pieces().flatMap { end ->
+            List(AXES) { JsonPrimitive((end[it] - spans[it].middle).toFloat()) }
+        }
+    }
 
     private fun timeText(time: Double): String =
         "t = " + UnitNames.amount(short(time / scale.time), UnitNames.raised(scale.timeName))
 
-    private fun about(state: State, count: Int, spans: List<Span>): String {
+    private fun about(state: State, walls: SeenWalls, count: Int, spans: List<Span>): String {
         val size = state.population.size
         val all = spheres(size, Space.of(state.dimensions))
         val edges = spans.take(state.dimensions).joinToString(" × ") {
             if (it.isClosed) short(it.high - it.low) else "open"
         }
-        val unit = if (spans.any { it.isClosed }) " ${UnitNames.raised(scale.units.length)}" else ""
+        val length = UnitNames.raised(scale.units.length)
+        val unit = if (spans.any { it.isClosed }) " $length" else ""
+        val isBox = (0 until state.dimensions).all { walls.isFace(it) || walls.extent(it) == null }
+        val named = walls.inWords { UnitNames.amount(short(it), length) }
         return listOfNotNull(
             if (count < size) "$count of $all" else all,
-            "box $edges$unit",
+            (if (isBox) "box" else "room") + " $edges$unit",
+            named.joinToString(", ").ifEmpty { null },
             flow(state)?.let { "speeds are against the mean flow $it" },
         ).joinToString(" · ")
     }

@@ -32,24 +32,24 @@ internal class NewestState : StateSource {
     private val asked = lock.newCondition()
     private var number = -1L
     private var bytes: ByteArray? = null
-    private var isAskedFor = true
+    private var timesAsked = 0
 
     fun put(number: Long, bytes: ByteArray): Unit = lock.withLock {
         this.number = number
         this.bytes = bytes
-        isAskedFor = false
+        timesAsked = 0
     }
 
     override fun bytes(number: Long): ByteArray? = lock.withLock {
         if (number != this.number) return null
-        isAskedFor = true
+        timesAsked++
         asked.signalAll()
         bytes
     }
 
-    /** Waits until somebody has asked for it, at most [milliseconds]. */
-    fun awaitAsked(milliseconds: Long): Unit = lock.withLock {
+    /** Waits until it, if there is one, has been asked for so many [times], at most [milliseconds]. */
+    fun awaitAsked(times: Int, milliseconds: Long): Unit = lock.withLock {
         var left = TimeUnit.MILLISECONDS.toNanos(milliseconds)
-        while (!isAskedFor && left > 0) left = asked.awaitNanos(left)
+        while (bytes != null && timesAsked < times && left > 0) left = asked.awaitNanos(left)
     }
 }

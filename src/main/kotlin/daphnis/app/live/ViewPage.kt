@@ -34,7 +34,7 @@ internal class ViewPage(run: RecordedRun, port: Int, framedBy: String = "'none'"
 
     override fun close() {
         isClosed = true
-        feed.end("the viewer has ended")
+        feed.end(Ending(Ending.Kind.CLOSED, "the viewer has ended").json())
         server.close()
     }
 

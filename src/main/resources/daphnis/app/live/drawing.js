@@ -43,7 +43,7 @@ export class Drawing {
         this.bodies = state.head.bodies;
         this.largest = largestOf(state);
         this.isFlat = state.head.dimensions === 2;
-        const lines = edgesOf(state);
+        const { lines } = state.head;
         this.edgeCount = lines.length / 3;
         gl.bindVertexArray(this.edgeArray);
         gl.bindBuffer(gl.ARRAY_BUFFER, this.edges);
@@ -140,30 +140,6 @@ function largestOf(state) {
     let largest = 0;
     for (let k = state.head.bodies; k < state.head.count; k++) largest = Math.max(largest, state.radius[k]);
     return largest;
-}
-
-/** Edges of the box, two points each: along closed axes, at the faces of the others or in their middle. */
-export function edgesOf(state) {
-    const { box, origin, dimensions } = state.head;
-    const ends = box.map((edge, k) => (edge ? edge.map((place) => place - origin[k]) : [0]));
-    if (dimensions === 2) ends[2] = [0];
-    const lines = [];
-    for (let axis = 0; axis < 3; axis++) {
-        if (ends[axis].length < 2) continue;
-        const [one, other] = [0, 1, 2].filter((k) => k !== axis);
-        for (const a of ends[one]) {
-            for (const b of ends[other]) {
-                for (const end of ends[axis]) {
-                    const place = [0, 0, 0];
-                    place[axis] = end;
-                    place[one] = a;
-                    place[other] = b;
-                    lines.push(...place);
-                }
-            }
-        }
-    }
-    return lines;
 }
 
 function program(gl, vertex, fragment) {

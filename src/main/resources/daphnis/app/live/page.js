@@ -9,6 +9,7 @@ const note = (text) => { part("note").textContent = text; };
 const states = new States();
 let events = null;
 let isOver = false;
+let isLost = false;
 let name = "daphnis";
 
 const actions = {
@@ -63,10 +64,11 @@ function open() {
     if (events || isOver) return;
     // Pictures cost the run time: they are drawn for those that ask for them.
     events = new EventSource(stage ? "changes" : "events");
-    events.addEventListener("open", () => { if (stage) note(""); });
     events.addEventListener("run", (event) => {
         const run = JSON.parse(event.data);
         name = run.name;
+        if (isLost) note("");
+        isLost = false;
         states.isRecorded = run.isRecorded === true;
         part("name").textContent = run.name + " \u2192 " + run.directory;
         part("part").hidden = states.isRecorded;
@@ -91,16 +93,45 @@ function open() {
     events.addEventListener("series", picture("series"));
     events.addEventListener("problem", (event) => note(event.data));
     events.addEventListener("end", (event) => {
-        isOver = true;
         close();
-        note(event.data);
-        document.title = "ended: " + part("name").textContent;
+        end(JSON.parse(event.data));
     });
     events.onerror = () => {
-        note("no connection: the run has ended, or was killed");
         // The browser tries again by itself unless it was refused.
-        if (events && events.readyState === EventSource.CLOSED) close();
+        const isRefused = events && events.readyState === EventSource.CLOSED;
+        if (isRefused) close();
+        lose(isRefused);
     };
+}
+
+/** The end takes the place of what is told while a run goes on; that of a viewer stands beside its states. */
+function end({ kind, text }) {
+    isOver = true;
+    if (kind === "closed") {
+        note(text);
+    } else {
+        part("text").textContent = text;
+        part("text").dataset.end = kind;
+        document.title = `${kind}: ${name}`;
+        if (kind === "complete") part("part").value = 1;
+    }
+    // Once the state that is on its way has come, only what is here can be shown.
+    Promise.allSettled([...states.fetched.values()]).then(() => {
+        states.end();
+        if (stage) player.renewed(false);
+    });
+}
+
+/** What was told last is not what is now. */
+function lose(isRefused) {
+    const server = states.isRecorded ? "viewer" : "run";
+    note(isRefused ? `no connection: eight pages are open already, or the ${server} has ended`
+        : `no connection: the ${server} has ended, or was killed`);
+    if (!isLost && !states.isRecorded && part("name").textContent !== "daphnis") {
+        part("text").textContent = `last heard of: ${part("text").textContent}`;
+    }
+    document.title = `no connection: ${name}`;
+    isLost = true;
 }
 
 function close() {

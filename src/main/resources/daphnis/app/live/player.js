@@ -31,7 +31,8 @@ export class Player {
     /** The numbers have changed; wasAtEnd is what isAtEnd was before. */
     async renewed(wasAtEnd) {
         const last = this.states.numbers.length - 1;
-        if (wasAtEnd && !this.isPlaying && last >= 0) await this.goTo(last);
+        const isGone = this.place < 0;
+        if ((wasAtEnd || isGone) && !this.isPlaying && last >= 0) await this.goTo(last);
         this.tell();
     }
 

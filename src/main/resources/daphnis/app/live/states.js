@@ -40,6 +40,7 @@ export class States {
         this.kept = new Map(); // by number, the one longest unused first
         this.bytes = 0;
         this.isRecorded = true;
+        this.isOver = false;
         this.fetched = new Map();
     }
 
@@ -58,14 +59,21 @@ export class States {
         return this.fetched.get(number);
     }
 
+    /** No more can be had: those that are kept are all. */
+    end() {
+        this.isOver = true;
+        this.numbers = this.numbers.filter((number) => this.kept.has(number));
+    }
+
     async fetch(number) {
+        if (this.isOver) return null;
         let answer = await fetch(`state/${number}`);
         // The server sends to so many at a time.
         for (let k = 0; k < MOST_TRIES && answer.status === 503; k++) {
             await new Promise((done) => setTimeout(done, 250));
             answer = await fetch(`state/${number}`);
         }
-        if (answer.status === 404) return null;
+        if (answer.status === 204) return null;
         if (!answer.ok) throw new Error((await answer.text()) || `state ${number}: ${answer.status}`);
         const state = decode(await answer.arrayBuffer());
         this.keep(number, state);

@@ -1,5 +1,8 @@
 package daphnis.app.live
 
+import daphnis.analysis.plot.PlotScale
+import daphnis.analysis.plot.RunPlot
+import daphnis.analysis.table.UnitNames
 import daphnis.app.CommandResult
 import daphnis.app.assertDone
 import daphnis.app.assertRefused
@@ -74,12 +77,16 @@ class LiveRunTest {
         assertTrue("cooling-gas" in events.getValue("run"))
         assertTrue("left" in events.getValue("progress") && "of 100" in events.getValue("progress")) { "$events" }
         assertTrue(digest in events.getValue("end")) { events.getValue("end") }
+        assertTrue("\"kind\":\"complete\"" in events.getValue("end")) { events.getValue("end") }
+        assertTrue("\"part\": 1.0" in events.getValue("progress")) { events.getValue("progress") }
         val picture = events.getValue("picture").removePrefix("data:image/png;base64,")
         val image = ImageIO.read(ByteArrayInputStream(Base64.getDecoder().decode(picture)))
         assertEquals(900, image.width)
         val series =
             String(Base64.getDecoder().decode(events.getValue("series").removePrefix("data:image/svg+xml;base64,")))
-        assertTrue("<svg" in series)
+        // That of the whole run, to its last row.
+        val file = folder.resolve("watched/series.csv")
+        assertEquals(RunPlot.svg(file, "cooling-gas", PlotScale(UnitNames(null), null, 1.0)), series)
         assertTrue("problem" !in events) { "$events" }
     }
 
@@ -112,6 +119,24 @@ class LiveRunTest {
             val those = FloatArray(last.size) { last.position[axis][it].toFloat() }.sortedArray()
             for (k in there.indices) assertEquals(those[k], there[k], 1e-5f)
         }
+    }
+
+    @Test
+    fun `a page that comes when a run has just ended is told how`() {
+        val port = ServerSocket(0).use { it.localPort }
+        val page = LivePage(port)
+        page.endsWith(Ending.Kind.INTERRUPTED, "interrupted \"here\"")
+        val client = HttpClient.newHttpClient()
+        val html = HttpRequest.newBuilder(URI.create(page.address)).build()
+        assertEquals(200, client.send(html, BodyHandlers.discarding()).statusCode())
+        val events = HttpRequest.newBuilder(URI.create("${page.address}changes")).build()
+        val late = CompletableFuture.supplyAsync {
+            Thread.sleep(200)
+            client.send(events, BodyHandlers.ofLines()).body().toList()
+        }
+        page.close()
+        val end = "data: {\"kind\":\"interrupted\",\"text\":\"interrupted \\\"here\\\"\"}"
+        assertEquals(listOf("event: end", end, ""), late.get())
     }
 
     @Test

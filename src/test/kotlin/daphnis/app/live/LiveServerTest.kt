@@ -63,14 +63,15 @@ class LiveServerTest {
 
     @Test
     fun `a state is had by its number, and only the newest of a run that goes on`() {
-        assertEquals(404, get("state/0").statusCode())
+        assertEquals(204, get("state/0").statusCode())
         newest.put(7, byteArrayOf(1, 2, 3))
         val request = request("state/7").build()
         val answer = client.send(request, BodyHandlers.ofByteArray())
         assertEquals(listOf<Byte>(1, 2, 3), answer.body().asList())
         assertEquals("application/octet-stream", answer.headers().firstValue("Content-Type").get())
         newest.put(8, byteArrayOf(4))
-        assertEquals(404, get("state/7").statusCode())
+        // No error, which browsers would show: it has been told of, and another one has taken its place.
+        assertEquals(204, get("state/7").statusCode())
         val wrongs =
             listOf("", "08", "+8", "-8", "8/", "8.0", "1e1", "x", "8%00", "9999999999999999999", "../page.js", "٨")
         for (wrong in wrongs) {
@@ -144,6 +145,44 @@ class LiveServerTest {
             assertEquals(0, first)
             closing.join()
         }
+    }
+
+    @Test
+    fun `the last state is waited for until all pages have it`() {
+        newest.put(3, byteArrayOf(1))
+        val begin = System.nanoTime()
+        fun seconds() = (System.nanoTime() - begin) * 1e-9
+        newest.awaitAsked(0, 20_000)
+        get("state/3")
+        newest.awaitAsked(1, 20_000)
+        assertTrue(seconds() < 10)
+        val second = kotlin.concurrent.thread {
+            Thread.sleep(600)
+            get("state/3")
+        }
+        newest.awaitAsked(2, 20_000)
+        assertTrue(seconds() in 0.55..15.0) { "${seconds()}" }
+        second.join()
+    }
+
+    @Test
+    fun `a page that has been sent is waited for, until it looks or does not come`() {
+        assertTrue(!feed.isWatched)
+        assertEquals(200, get("").statusCode())
+        assertTrue(feed.isWatched && feed.wants(Feed.STATE))
+        val begin = System.nanoTime()
+        val late = kotlin.concurrent.thread {
+            Thread.sleep(500)
+            client.send(request("changes").build(), BodyHandlers.ofLines())
+        }
+        feed.awaitArrival()
+        val seconds = (System.nanoTime() - begin) * 1e-9
+        assertTrue(seconds in 0.45..1.9) { "$seconds" }
+        assertEquals(1, feed.watching(Feed.STATE))
+        late.join()
+        assertEquals(200, get("").statusCode())
+        feed.awaitArrival()
+        assertTrue((System.nanoTime() - begin) * 1e-9 >= 2)
     }
 
     @Test

@@ -83,7 +83,7 @@ class ViewPageTest {
                     seen.text("time"),
                 )
             }
-            assertEquals(404, get("${page.address}state/3").statusCode())
+            assertEquals(204, get("${page.address}state/3").statusCode())
             val snapshots = path.resolve("snapshots")
             Files.copy(snapshots.resolve("0000000002.h5"), snapshots.resolve("0000000003.h5"))
             val later = events(page.address) { "[0, 2, 3, 4]" in it["states"].orEmpty() }

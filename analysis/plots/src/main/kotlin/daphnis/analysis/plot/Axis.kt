@@ -33,8 +33,9 @@ internal class Axis(low: Double, high: Double, private val logarithmic: Boolean)
             (to - from)
     }
 
-    /** Marks at round places. */
-    fun ticks(): Ticks = if (logarithmic) Ticks.logarithmic(from, to) else Ticks.linear(from, to)
+    /** Marks at round places, about [wanted] unless it is logarithmic. */
+    fun ticks(wanted: Int = Ticks.WANTED): Ticks =
+        if (logarithmic) Ticks.logarithmic(from, to) else Ticks.linear(from, to, wanted)
 
     private companion object {
         /** Spread over the largest value that a quantity shows which is conserved. */

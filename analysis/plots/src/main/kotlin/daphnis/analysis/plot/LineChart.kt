@@ -22,25 +22,28 @@ internal class LineChart(
     private val to: Double,
     private val counted: Boolean = false,
 ) {
+    /** Sizes of text in points: of numbers, of the titles of axes, and of the title. */
+    class Text(val small: Int, val medium: Int, val large: Int)
+
     /** Draws on [sheet], [top] points from its upper edge, as wide and high as given. */
-    fun draw(sheet: Sheet, top: Double, width: Double, height: Double) {
+    fun draw(sheet: Sheet, top: Double, width: Double, height: Double, text: Text) {
         val points = x.indices.filter { x[it].isFinite() && y[it].isFinite() }
         val across = Axis(from, to, false)
         val up = vertical(points)
         val frame = PlotFrame(
             across,
             up,
-            across.ticks(),
+            across.ticks(((width - RIGHT - LEFT) / (NUMBER * text.small)).toInt().coerceIn(FEWEST, Ticks.WANTED)),
             up.ticks(),
             LEFT,
             width - RIGHT,
             top + ABOVE,
             top + height - BELOW,
         )
-        frame.grid(sheet, SMALL)
-        sheet.text(title, LEFT, top + LARGE + GAP, LARGE, Anchor.START)
+        frame.grid(sheet, text.small)
+        sheet.text(title, LEFT, top + text.large + GAP, text.large, Anchor.START)
         val label = if (yLabel.length > LONGEST_LABEL) yLabel.replace(" [", "\n[") else yLabel
-        frame.titles(sheet, xLabel, label, MEDIUM, top + height - GAP, GAP)
+        frame.titles(sheet, xLabel, label, text.medium, top + height - GAP, GAP)
         if (points.size == 1) {
             val place = frame.atX(x[points[0]])
             val value = frame.atY(y[points[0]])
@@ -70,9 +73,10 @@ internal class LineChart(
         const val ABOVE = 32.0
         const val BELOW = 44.0
         const val GAP = PlotFrame.GAP
-        const val SMALL = 11
-        const val MEDIUM = 13
-        const val LARGE = 16
+
+        /** Width of a number with room beside it, in sizes of its text. */
+        const val NUMBER = 4.5
+        const val FEWEST = 3
         const val LINE = 1.5
         const val ROOM = 0.05
     }

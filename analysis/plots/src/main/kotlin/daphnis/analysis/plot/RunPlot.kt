@@ -33,12 +33,13 @@ public object RunPlot {
             throw FormatException("the time series has no granular temperature and no two rows at different times")
         }
         Files.createDirectories(directory)
-        WholeFile.write(directory.resolve("run.svg"), svg(charts))
+        WholeFile.write(directory.resolve("run.svg"), svg(charts, OF_FILES))
         WholeFile.write(directory.resolve("run.png"), png(charts))
     }
 
     /**
-     * The plot of the file [series] as an SVG; null while there is not enough to draw.
+     * The plot of the file [series] as an SVG for a page, narrow and with large text: it can be read at a width of 300
+     * pixels. Null while there is not enough to draw.
      *
      * @throws FormatException when the file is no time series
      */
@@ -46,7 +47,7 @@ public object RunPlot {
     public fun svg(series: Path, title: String, scale: PlotScale): String? {
         val table = SeriesTable.read(series)
         if (table.size < 2) return null
-        return charts(table, title, scale).takeIf { it.isNotEmpty() }?.let(::svg)
+        return charts(table, title, scale).takeIf { it.isNotEmpty() }?.let { svg(it, OF_PAGE) }
     }
 
     /**
@@ -89,18 +90,23 @@ public object RunPlot {
         return LineChart(title, x.label, label, curve.x.asList(), curve.y.asList(), colour, log, x.from, x.to, counted)
     }
 
-    private fun svg(charts: List<LineChart>): String = SvgSheet(WIDTH, HEIGHT).also { draw(charts, it) }.toString()
+    /** Width and height in points, and sizes of text. */
+    private class Layout(val width: Int, val height: Int, val text: LineChart.Text)
+
+    private fun svg(charts: List<LineChart>, layout: Layout): String =
+        SvgSheet(layout.width, layout.height).also { draw(charts, it, layout) }.toString()
 
     private fun png(charts: List<LineChart>): ByteArray = drawing {
-        Png.encode(ImageSheet(WIDTH, HEIGHT, PNG_SCALE).also { draw(charts, it) }.image)
+        val sheet = ImageSheet(OF_FILES.width, OF_FILES.height, PNG_SCALE)
+        Png.encode(sheet.also { draw(charts, it, OF_FILES) }.image)
     }
 
-    private fun draw(charts: List<LineChart>, sheet: Sheet) {
-        val height = HEIGHT.toDouble() / charts.size
-        charts.forEachIndexed { k, chart -> chart.draw(sheet, k * height, WIDTH.toDouble(), height) }
+    private fun draw(charts: List<LineChart>, sheet: Sheet, layout: Layout) {
+        val height = layout.height.toDouble() / charts.size
+        charts.forEachIndexed { k, it -> it.draw(sheet, k * height, layout.width.toDouble(), height, layout.text) }
     }
 
-    private const val WIDTH = 800
-    private const val HEIGHT = 640
+    private val OF_FILES = Layout(800, 640, LineChart.Text(11, 13, 16))
+    private val OF_PAGE = Layout(380, 600, LineChart.Text(14, 14, 16))
     private const val PNG_SCALE = 2
 }

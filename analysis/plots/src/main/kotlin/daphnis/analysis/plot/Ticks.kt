@@ -12,7 +12,7 @@ import kotlin.math.round
 /** Where an axis is marked and what stands there, in the report's way of writing numbers. */
 internal class Ticks(val places: List<Double>, val labels: List<String>) {
     companion object {
-        private const val WANTED = 8
+        const val WANTED = 8
         private const val FEWEST = 3
         private const val FEW = 5
         private const val NEARLY = 1e-9

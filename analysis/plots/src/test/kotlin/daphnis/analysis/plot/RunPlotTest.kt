@@ -118,6 +118,24 @@ class RunPlotTest {
     }
 
     @Test
+    fun `that of a page can be read where it is 300 pixels wide, and its numbers stand apart`() {
+        RunPlot.write(series(101) { 1.0 + it }, home, "wide", gas)
+        val svg = RunPlot.svg(home.resolve("series.csv"), "wide", gas)!!
+        val sheet = Regex("<svg [^>]* width=\"([0-9]+)\"").find(svg)!!.groupValues[1].toInt()
+        val texts = Regex("translate\\(([0-9.]+) ([0-9.]+)\\)\" font-size=\"([0-9]+)\" text-anchor=\"middle\"[^>]*>([^<]*)<")
+            .findAll(svg).map { it.groupValues.drop(1) }.toList()
+        assertTrue(texts.isNotEmpty() && texts.all { it[2].toDouble() * 300 / sheet >= 11 }) { "$sheet $texts" }
+        val numbers = texts.filter { it[3].toDoubleOrNull() != null }.groupBy { it[1] }.values
+        assertEquals(2, numbers.size)
+        for (row in numbers) {
+            for ((one, next) in row.zipWithNext()) {
+                val wide = 0.6 * one[2].toInt() * (one[3].length + next[3].length) / 2
+                assertTrue(next[0].toDouble() - one[0].toDouble() > wide) { "$row" }
+            }
+        }
+    }
+
+    @Test
     fun `the SVG is XML that a parser takes, whatever the title is`() {
         RunPlot.write(series(10) { 1.0 / (1 + it) }, home, "<my> & \u0007\u202e\u009b\uffff run", gas)
         val root = DocumentBuilderFactory.newInstance().newDocumentBuilder().parse(
