@@ -10,8 +10,8 @@ internal class MoonletSection(study: Study) : Section {
     private val walk = WalkPart(study)
 
     override val heading = "Moonlets"
-    override val over = "Around the first: ${study.overAverages.replaceFirstChar { it.lowercase() }} " +
-        "Orbits: rows of bodies.csv from time ${study.time(study.from)} on."
+    override val over = "Around the first: ${study.overAverages.replaceFirstChar { it.lowercase() }}" +
+        if (study.input.bodies.isEmpty()) "" else " Orbits: rows of bodies.csv from time ${study.time(study.from)} on."
     override val applies = isRing
     override val leftOut = if (body == null) "no body is left in the last state" else null
 

@@ -23,7 +23,7 @@ internal class PictureSection(private val study: Study) : Section {
             picture.writeAbove(study.plots, "patch-above"),
             "the ${study.place} from above",
             if (last.boundary.space.isPlane) {
-                "$axes. $above".replaceFirstChar { it.uppercase() }
+                "From above; $axes. $above"
             } else {
                 "From above; $axes; higher spheres are brighter. $above"
             },

@@ -82,7 +82,7 @@ internal class RunParameters(private val input: AnalysisInput, private val last:
     }
 
     private fun summary(summary: Summary) = listOf(
-        "steps" to "${summary.steps}",
+        "steps" to "${summary.steps}" + if (summary.finished) "" else ", interrupted before the end of the scenario",
         "collisions" to "${summary.collisions}" + guarded(summary.guardActivations),
         "deepest overlap" to overlap(summary.maxOverlap),
         "engine" to "${summary.engine}, ${count(summary.threads, "thread")}, ${short(summary.wallSeconds)} s",

@@ -20,10 +20,15 @@ internal class RunSection(private val study: Study) : Section {
         // A step ends where a run was to end first.
         val isChosen = input.scenario?.timeStep is TimeStepSpec.Automatic
         val unless = if (isChosen) ", unless the run was resumed to another end than it had at first" else ""
+        // Of a run without a summary nobody knows.
+        val what = if (input.summary?.finished == true) {
+            "it gives the same state digest on any machine, with any engine and number of threads$unless"
+        } else {
+            "it goes on beyond this run, which did not reach the end of its scenario (daphnis resume goes on with it)"
+        }
         page.paragraph(
             "To do it again, from the directory in which this report was made: the scenario as it was resolved is in " +
-                "the run directory; it gives the same state digest on any machine, with any engine and number of " +
-                "threads$unless.",
+                "the run directory; $what.",
         )
         val again = quoted(besides(run))
         val daphnis = quoted(Path.of(Version.command))

@@ -3,7 +3,10 @@ package daphnis.analysis.report
 import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.ScenarioJson
 import kotlinx.serialization.json.Json
+import kotlinx.serialization.json.JsonArray
+import kotlinx.serialization.json.JsonElement
 import kotlinx.serialization.json.JsonNull
+import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.jsonObject
 
 /**
@@ -16,7 +19,17 @@ internal class ScenarioWords(scenario: Scenario) {
     /** Each part that the scenario has, by name. */
     fun rows(): List<Pair<String, String>> = (parts.keys - APART)
         .filter { parts.getValue(it) !is JsonNull }
-        .map { it to JsonWords.text(parts.getValue(it)) }
+        .map { it to JsonWords.text(withoutUnused(parts.getValue(it))) }
+
+    /** Where a mass is given, the density beside it is a default that nobody reads. */
+    private fun withoutUnused(part: JsonElement): JsonElement = when (part) {
+        is JsonObject -> JsonObject(
+            part.filterKeys { it != "density" || (part["mass"] ?: JsonNull) is JsonNull }
+                .mapValues { withoutUnused(it.value) },
+        )
+        is JsonArray -> JsonArray(part.map(::withoutUnused))
+        else -> part
+    }
 
     private companion object {
         /** What the report says elsewhere, or what decides no physics. */

@@ -80,9 +80,11 @@ internal class SteadinessText(
         val first = history.first(from)
         val part = found.change / average(history)
         val what = if (part < 0) "fell" else "rose"
-        val each = percent(abs(part) * duration / (history.times.last() - history.times[first]))
+        val size = abs(part)
+        val much = if (size < 1) "${percent(size)} of its average" else "${ReportText.short(size)} times its average"
+        val each = percent(size * duration / (history.times.last() - history.times[first]))
         val lost = if (found.isDriftingAmong(judged)) "no ± is given" else "what goes with it has no ±"
-        return "Not steady: ${history.name} $what by ${percent(abs(part))} of its average over the time averaged " +
+        return "Not steady: ${history.name} $what by $much over the time averaged " +
             "($each per $unit), more than its fluctuations explain, so $lost"
     }
 

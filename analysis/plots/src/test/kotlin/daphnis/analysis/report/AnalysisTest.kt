@@ -109,7 +109,7 @@ class AnalysisTest {
         )) {
             assertTrue("<th scope=\"row\">${row.first}</th><td>${row.second}" in html) { "$row" }
         }
-        assertTrue("<th scope=\"row\">particles</th><td>count 300, sizes (equal, radius 0.5), density" in html)
+        assertTrue("<th scope=\"row\">particles</th><td>count 300, sizes (equal, radius 0.5), mass 1.0</td>" in html)
         assertTrue("<th scope=\"row\">guard</th><td>floor-speed, speed 1.7" in html)
         assertFalse("unless the run was resumed" in html)
     }

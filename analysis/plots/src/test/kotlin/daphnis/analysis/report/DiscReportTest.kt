@@ -44,6 +44,8 @@ class DiscReportTest {
         assertTrue("mean_spin_z" in rows && "mean_spin_x" !in rows)
         assertTrue("self_diffusion_z" !in rows)
         val page = Files.readString(run.resolve("report.html"))
+        assertTrue("From above; y to the right, x up" in page && "sizes (equal, radius 0.5), mass 1.0" in page)
+        assertTrue("it gives the same state digest on any machine" in page && "interrupted" !in page)
         assertTrue("Radial distribution function of discs" in page && "height z" !in page)
         assertTrue("Energy of all discs" in page && "area fraction" in page)
         for (name in listOf("velocity-ellipsoid", "radial-filling-factor")) {

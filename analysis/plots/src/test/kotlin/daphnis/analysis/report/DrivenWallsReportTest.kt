@@ -5,6 +5,7 @@ import daphnis.core.run.Run
 import daphnis.core.scenario.BuiltIn
 import daphnis.core.scenario.ScenarioJson
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
@@ -35,6 +36,20 @@ class DrivenWallsReportTest {
         assertTrue("A run with --set output.snapshotEvery=12 --until 160 has more of them." in html) {
             html.substringAfter("<sup>?</sup>").take(500)
         }
+    }
+
+    @Test
+    fun `a run that was interrupted is called so, and its scenario is not said to give its digest`(
+        @TempDir home: Path,
+    ) {
+        var steps = 0
+        Run.start(BuiltIn.scenario("vibrated-bed", listOf("particles.count=50")), "bed", home).use {
+            assertFalse(it.execute(cancelled = { ++steps > 100 }).finished)
+        }
+        Analysis(AnalysisInput.ofRun(home)).write(home)
+        val html = Files.readString(home.resolve("report.html"))
+        assertTrue("interrupted before the end of the scenario" in html && "did not reach the end" in html)
+        assertTrue("the same state digest" !in html)
     }
 
     @Test

@@ -67,6 +67,14 @@ class SteadinessTextTest {
     }
 
     @Test
+    fun `what changes by more than its average is told in averages, not in percent`() {
+        // From 1 to 0 in a line, of which the average is a half.
+        val falls = history("temperature") { k -> 1 - k / 400.0 }
+        val line = SteadinessText(1.0, "unit of time", 1.0).of(listOf(falls)).single()
+        assertTrue(Regex("Not steady: temperature fell by (2|1\\.9\\d) times its average .*").matches(line)) { line }
+    }
+
+    @Test
     fun `where a wave grows that is said, not a later time`() {
         val falls = history("scale height") { k -> if (k < 200) 2 - k / 200.0 else 1.0 }
         val said = SteadinessText(20.0, "orbit", 10.0, growing = "a wave grows").of(listOf(falls)).single()
