@@ -33,6 +33,8 @@ def short_form(path: Path) -> list[str]:
     known: dict[str, Any] = {}
     where = os.getcwd()
     os.environ["DAPHNIS_NOTEBOOK_SHORT"] = "yes"
+    # readline, which pytest imports, sets it for the programs that are started, whose lines it would break.
+    os.unsetenv("COLUMNS")
     try:
         return [shown("".join(cell["source"]), known, str(path)) for cell in cells_of(path)]
     finally:

@@ -92,7 +92,7 @@ class PistonScenarioTest {
     }
 
     @Test
-    fun `a state of which nothing says where the piston was is refused, and a wall that was none begins as it is said`() {
+    fun `a state of which nothing says where the piston was is refused, and one that was none begins as it is said`() {
         fun run(name: String, motion: String) = home.resolve(name).let { directory ->
             val settings = arrayOf("output.snapshotEvery=7", "output.seriesEvery=5")
             Run.start(scenario(motion, *settings), "test", directory).use { it.execute() }

@@ -56,10 +56,11 @@ internal class NumbersSection(private val study: Study, private val others: List
         val fewer = ENOUGH.toDouble() / study.averaged.size
         val states = output.snapshotInterval?.let { "snapshotInterval=${typed(it / fewer)}" }
             ?: "snapshotEvery=${(output.snapshotEvery / fewer).toInt().coerceAtLeast(1)}"
-        val until = scenario.until?.let { "until=${typed(LONGER * it)}" }
-            ?: scenario.untilOrbits?.let { "untilOrbits=${typed(LONGER * it)}" }
-        val settings = listOfNotNull("output.$states".takeIf { fewer > 1 }, until)
-        return "A run with ${settings.joinToString(" ") { "--set $it" }} has more of them."
+        val options = listOfNotNull(
+            "--set output.$states".takeIf { fewer > 1 },
+            scenario.until?.let { "--until ${typed(LONGER * it)}" },
+        )
+        return "A run with ${options.joinToString(" ")} has more of them."
     }
 
     /** As it can be typed. */

@@ -71,10 +71,11 @@ internal class ProfilesSection(private val study: Study) : Section {
     }
 
     private fun densities(page: ReportPage, across: Table, overHeight: Table?) {
-        val (column, caption) = if (study.isLit) {
-            "optical_depth" to "Optical depth across the ${study.place}."
-        } else {
-            "filling_factor" to "${if (isOfDiscs) "Area fraction" else "Filling factor"} along x."
+        val (column, caption) = when {
+            study.isLit -> "optical_depth" to "Optical depth across the ${study.place}."
+            // Of a bed the filling factor of the whole height would be a number of the roof.
+            DrivenWalls.isUnderGravity(study) -> "surface_density" to "Surface density along x."
+            else -> "filling_factor" to "${if (isOfDiscs) "Area fraction" else "Filling factor"} along x."
         }
         drawn(page, radial, across, column, radialName, caption)
         if (overHeight == null) return

@@ -32,7 +32,7 @@ class DrivenWallsReportTest {
         }
         assertTrue("Occultation" !in html && "ptical depth" !in html && "⟨c_z²⟩ is no temperature" in html)
         // 13 states from time 15 on.
-        assertTrue("A run with --set output.snapshotEvery=12 --set until=160 has more of them." in html) {
+        assertTrue("A run with --set output.snapshotEvery=12 --until 160 has more of them." in html) {
             html.substringAfter("<sup>?</sup>").take(500)
         }
     }
