@@ -1,12 +1,14 @@
 package daphnis.core.run
 
 import daphnis.core.format.Snapshot
+import daphnis.core.scenario.BoundarySpec
 import daphnis.core.scenario.ClockSpec
 import daphnis.core.scenario.GuardSpec
 import daphnis.core.scenario.PlacementSpec
 import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.Surroundings
 import daphnis.core.scenario.TimeStepSpec
+import daphnis.core.scenario.WallFacesSpec
 
 /**
  * A state of another run from which a run starts, see [Run.start].
@@ -42,9 +44,21 @@ public class RunOrigin(public val run: RecordedRun, public val state: Snapshot) 
     internal fun notices(scenario: Scenario): List<String> = listOfNotNull(
         "$name: the times since the last collisions are not part of a state; guard.duration counts from the start"
             .takeIf { scenario.guard is GuardSpec.ContactDuration },
-    )
+    ) + elsewhere(scenario)
+
+    /** Pistons that [scenario] would have elsewhere, or with another speed, than the scenario of the other run. */
+    private fun elsewhere(scenario: Scenario): List<String> {
+        fun of(scenario: Scenario?) = (scenario?.boundary as? BoundarySpec.Walls)?.faces?.pistons.orEmpty()
+        val before = of(this.scenario)
+        return of(scenario).filter { (face, piston) ->
+            before[face]?.let { it.position != piston.position || it.velocity != piston.velocity } == true
+        }.map { (face, _) ->
+            "$name: ${WallFacesSpec.KEY}.${WallFacesSpec.NAMES[face]}.motion: the piston goes on from where it is in " +
+                "the state, with the speed it has there; position and velocity are not used"
+        }
+    }
 
     /** Position and speed of each piston in the state, by face; null where the run does not tell. */
     internal fun pistons(): Map<Int, List<Double>>? = CheckpointState(run.directory).meta(state.step)?.pistons
-        ?: SeriesColumns.pistons(run.directory.series, state.step)
+        ?: SeriesColumns.pistons(run.directory.series, state)
 }

@@ -33,7 +33,7 @@ internal fun startRun(
 ): Run {
     val start = from?.let { OriginCheck(scenario, source, it).start() } ?: scenario
     val setup = ScenarioSetup.of(start, source, null, from?.state)
-    val notices = from?.notices(start).orEmpty() + setup.notices + warnings(setup)
+    val notices = from?.notices(scenario).orEmpty() + setup.notices + warnings(setup)
     val plan = planOf(setup, null, source, engines, own)
     return begun(directory, force, plan, notices) { ScenarioJson.write(it.begin(setup.scenario, from?.state)) }
 }

@@ -6,6 +6,7 @@ import daphnis.core.boundary.Piston
 import daphnis.core.boundary.pistons
 import daphnis.core.compression.GrowingSpheres
 import daphnis.core.force.Drift
+import daphnis.core.format.Snapshot
 import daphnis.core.population.MaterialSums
 import daphnis.core.population.PopulationSums
 import daphnis.core.population.SpinSums
@@ -168,13 +169,15 @@ public object SeriesColumns : TableColumns {
     public val PISTON_ENERGY: Column =
         rows.number("piston_energy", Dimension.ENERGY) { row -> row.pistons.values.sumOf { it.energy } }
 
-    /** Position and speed of each piston in the row of [step] of the file at [path], by face; null without that row. */
-    internal fun pistons(path: Path, step: Long): Map<Int, List<Double>>? {
+    /** Position and speed of each piston at [state], by face, as the file at [path] has it; null without its row. */
+    internal fun pistons(path: Path, state: Snapshot): Map<Int, List<Double>>? {
         if (!Files.exists(path)) return null
         Files.newBufferedReader(path).use { reader ->
             val names = reader.readLine()?.split(',')?.map { it.substringBefore(" [") } ?: return null
-            val row = reader.lineSequence().find { it.startsWith("$step,") }?.split(',') ?: return null
+            val row = reader.lineSequence().filter { it.startsWith("${state.step},") }.singleOrNull()?.split(',')
+            if (row == null || row.size != names.size) return null
             fun at(column: Column) = names.indexOf(column.name).let { row.getOrNull(it)?.toDoubleOrNull() }
+            if (at(TIME) != state.time) return null
             return FACES.indices.mapNotNull { face ->
                 val position = at(PISTON_POSITION[face]) ?: return@mapNotNull null
                 face to listOf(position, at(PISTON_SPEED[face]) ?: return@mapNotNull null)

@@ -103,6 +103,32 @@ class PistonScenarioTest {
         val run = run("whole", plain)
         val told = assertThrows(InputException::class.java) { start(1, run) }.message.orEmpty()
         assertTrue("boundary.faces.upperX.motion: is a piston, and nothing says where it was" in told) { told }
+        // A row that is torn in the speed, as by a full disk.
+        val torn = home.resolve("torn")
+        Run.start(scenario(plain, "output.snapshotEvery=8"), "test", torn).use { it.execute() }
+        val series = torn.resolve("series.csv")
+        val text = Files.readString(series)
+        val rows = text.substring(0, text.indexOf('\n', text.indexOf("\n8,") + 1))
+        Files.writeString(series, rows.substringBeforeLast(',').dropLast(3))
+        val ofTorn = Run.open(torn)
+        assertThrows(InputException::class.java) {
+            Run.start(scenario(plain), "test", home.resolve("4"), from = RunOrigin(ofTorn, ofTorn.atStep(8)))
+        }
+        // Rows that are of another run, or twice.
+        val row = text.lines().first { it.startsWith("8,") }
+        val time = row.split(',')[1]
+        for (wrong in listOf(text.replace("8,$time,", "8,0.5,"), text.replace(row, "$row\n$row"))) {
+            Files.writeString(series, wrong)
+            assertThrows(InputException::class.java) {
+                Run.start(scenario(plain), "test", home.resolve("5"), from = RunOrigin(ofTorn, ofTorn.atStep(8)))
+            }
+        }
+        Files.writeString(series, text)
+        val moved = scenario("""$plain, "position": 0.7""")
+        Run.start(moved, "test", home.resolve("6"), from = RunOrigin(ofTorn, ofTorn.atStep(8))).use {
+            val told = it.notices.single { notice -> "the piston goes on from where it is" in notice }
+            assertTrue("boundary.faces.upperX.motion" in told) { told }
+        }
         start(2, run, """"type": "steady", "velocity": 0.1""").close()
         start(3, run("steady", """"type": "steady", "velocity": 0"""), """$plain, "position": 0.5""").close()
         val written = ScenarioJson.read(home.resolve("3/scenario.json")).boundary as BoundarySpec.Walls
