@@ -181,6 +181,21 @@ def test_a_run_starts_from_a_state_of_another(ring: daphnis.Run, tmp_path: Path)
         daphnis.run(from_=ring, out=tmp_path / "none", steps=1, set={"particles.opticalDepth": 1})
 
 
+def test_where_a_piston_is_comes_from_the_state(tmp_path: Path) -> None:
+    walls = {"type": "walls", "axes": "x", "faces": {"upperX": {"motion": {"type": "piston", "mass": 40}}}}
+    settings = {"particles.count": 20, "boundary": walls}
+    run = daphnis.run("elastic-gas", tmp_path / "run", set=settings, steps=2)
+    for key in ("position", "velocity"):
+        setting = {f"boundary.faces.upperX.motion.{key}": 0.1}
+        with pytest.raises(daphnis.InputError, match=rf"motion\.{key}: is of an initial state"):
+            daphnis.run(from_=run, out=tmp_path / "none", steps=1, set=setting)
+
+
+def test_a_masked_setting_is_refused() -> None:
+    with pytest.raises(daphnis.InputError, match="set: particles.count: .*masked"):
+        daphnis.scenario("cooling-gas", set={"particles.count": np.ma.masked})
+
+
 def test_scenarios_are_named_written_and_taken_as_dicts(tmp_path: Path) -> None:
     assert "ring-patch" in daphnis.scenarios()
     changed = daphnis.scenario("ring-patch", set={"box.lengths": np.array([50, 50, 20]), "seed": np.int64(3)})

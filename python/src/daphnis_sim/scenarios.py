@@ -212,6 +212,8 @@ def _json(value: Any, what: str) -> str:
 
 
 def _plain(value: Any) -> Any:
+    if np.ma.is_masked(value):
+        raise TypeError("it is masked")
     if isinstance(value, (np.generic, np.ndarray)):
         return value.tolist()
     if isinstance(value, os.PathLike):

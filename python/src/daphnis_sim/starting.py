@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any, Union
@@ -24,6 +25,7 @@ from .states import State
 Origin = Union[Run, State, str, "os.PathLike[str]"]
 
 _OF_STATE = ("seed", "particles", "bodies", "placement", "velocities", "spins")
+_OF_PISTON = re.compile(r"boundary\.faces\.(\w+)\.motion\.(?:position|velocity)$")
 
 
 @checked
@@ -81,7 +83,7 @@ def run(
     given = laws.as_laws(restitution, roughness, contact_law)
     origin = None if from_ is None else _origin(from_)
     if origin is not None:
-        _check_state(set, seed)
+        _check_state(set, seed, origin)
     if scenario is None:
         scenario = "paper-figure-1" if origin is None else _scenario_of(origin)
     settings = dict(set or {})
@@ -200,13 +202,24 @@ def _origin(origin: Origin) -> Any:
     return java("daphnis.core.run.RunOrigin")(origin.run.java, origin.java)
 
 
-def _check_state(set: Settings | None, seed: int | None) -> None:
+def _check_state(set: Settings | None, seed: int | None, origin: Any) -> None:
     """What makes an initial state has no meaning when that is of another run."""
     if seed is not None:
         raise InputError("seed: is of an initial state; with from_ it is that of the other run")
     for key in set or {}:
         if key.split(".")[0].split("[")[0] in _OF_STATE:
             raise InputError(f"set: {key}: is of an initial state; with from_ it is that of the other run")
+        piston = _OF_PISTON.match(key)
+        if piston and piston[1] in _pistons(origin):
+            raise InputError(f"set: {key}: is of an initial state; with from_ it is that of the other run")
+
+
+def _pistons(origin: Any) -> list[str]:
+    """Names of the faces that are pistons in the other run; where they are is part of its state."""
+    found = origin.getRun().scenario()
+    boundary = {} if found is None else Scenario(found, "").to_dict().get("boundary", {})
+    faces = boundary.get("faces") or {}
+    return [name for name, face in faces.items() if ((face or {}).get("motion") or {}).get("type") == "piston"]
 
 
 def _scenario_of(origin: Any) -> Scenario:

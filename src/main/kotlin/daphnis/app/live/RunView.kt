@@ -54,7 +54,8 @@ internal class RunView(private val run: RecordedRun) : StateSource {
         }
         val boundary = around?.boundary ?: FileBoundary(snapshot)
         val state = State(snapshot.population(), boundary, snapshot.time, around?.frequencies, firstBody)
-        return encoder.of(state, SeenWalls(boundary, scenario?.boundary, snapshot.time) { piston(it, snapshot) }, number)
+        val walls = SeenWalls(boundary, scenario?.boundary, snapshot.time) { piston(it, snapshot) }
+        return encoder.of(state, walls, number)
     }
 
     /** Displacement of the piston at [face], which the time series has; null where it does not reach that far. */

@@ -34,8 +34,7 @@ internal class SeenWalls(
     fun displacement(surface: Int): Double = boundary.surfaces[surface].face.motion?.displacement(time) ?: 0.0
 
     /** Distance of a point from a surface, negative beyond it. */
-    fun distance(surface: Int, at: DoubleArray): Double =
-        boundary.surfaces[surface].distance(at[0], at[1], at[2], time)
+    fun distance(surface: Int, at: DoubleArray): Double = boundary.surfaces[surface].distance(at[0], at[1], at[2], time)
 
     /** Whether the ends of [extent] are faces of the box. */
     fun isFace(axis: Int): Boolean =
@@ -82,7 +81,8 @@ internal class SeenWalls(
 
     /** An axis by its name, another direction by its components. */
     private fun direction(v: List<Double>): String {
-        val along = v.indices.singleOrNull { v[it] != 0.0 } ?: return "(${v.joinToString(" ") { "$it".removeSuffix(".0") }})"
+        val along =
+            v.indices.singleOrNull { v[it] != 0.0 } ?: return "(${v.joinToString(" ") { "$it".removeSuffix(".0") }})"
         return if (v[along] < 0) "−${NAMES[along]}" else NAMES[along]
     }
 

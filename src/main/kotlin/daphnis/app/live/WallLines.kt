@@ -36,13 +36,15 @@ internal class WallLines(private val walls: SeenWalls, private val low: DoubleAr
         for (axis in 0 until AXES) {
             if (!walls.isFace(axis)) continue
             val (one, other) = (0 until AXES).filter { it != axis }
-            for (a in sides(one)) for (b in sides(other)) {
-                val from = DoubleArray(AXES)
-                from[axis] = low[axis]
-                from[one] = a
-                from[other] = b
-                ends += from
-                ends += from.copyOf().also { it[axis] = high[axis] }
+            for (a in sides(one)) {
+                for (b in sides(other)) {
+                    val from = DoubleArray(AXES)
+                    from[axis] = low[axis]
+                    from[one] = a
+                    from[other] = b
+                    ends += from
+                    ends += from.copyOf().also { it[axis] = high[axis] }
+                }
             }
         }
     }
@@ -106,14 +108,16 @@ internal class WallLines(private val walls: SeenWalls, private val low: DoubleAr
     /** Where a plane meets the twelve edges of what is seen. */
     private fun crossings(point: DoubleArray, normal: DoubleArray): List<DoubleArray> {
         val found = ArrayList<DoubleArray>()
-        for (n in corners.indices) for (axis in 0 until AXES) {
-            val m = n or (1 shl axis)
-            if (m == n) continue
-            val (a, b) = corners[n] to corners[m]
-            val (da, db) = dot(a, normal) - dot(point, normal) to dot(b, normal) - dot(point, normal)
-            if (da * db > 0 || da == db) continue
-            val at = DoubleArray(AXES) { a[it] + (b[it] - a[it]) * (da / (da - db)) }
-            if (found.none { other -> (0 until AXES).all { abs(other[it] - at[it]) <= tolerance } }) found += at
+        for (n in corners.indices) {
+            for (axis in 0 until AXES) {
+                val m = n or (1 shl axis)
+                if (m == n) continue
+                val (a, b) = corners[n] to corners[m]
+                val (da, db) = dot(a, normal) - dot(point, normal) to dot(b, normal) - dot(point, normal)
+                if (da * db > 0 || da == db) continue
+                val at = DoubleArray(AXES) { a[it] + (b[it] - a[it]) * (da / (da - db)) }
+                if (found.none { other -> (0 until AXES).all { abs(other[it] - at[it]) <= tolerance } }) found += at
+            }
         }
         return found
     }

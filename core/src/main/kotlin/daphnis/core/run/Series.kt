@@ -168,12 +168,13 @@ public object SeriesColumns : TableColumns {
     public val PISTON_ENERGY: Column =
         rows.number("piston_energy", Dimension.ENERGY) { row -> row.pistons.values.sumOf { it.energy } }
 
-    /** Position and speed of each piston in the row of [step] of the file at [path], by face; null without that row. */
+    /** Position and speed of each piston in the row of [step] of the file at [path], by face; null without all of it. */
     internal fun pistons(path: Path, step: Long): Map<Int, List<Double>>? {
         if (!Files.exists(path)) return null
         Files.newBufferedReader(path).use { reader ->
             val names = reader.readLine()?.split(',')?.map { it.substringBefore(" [") } ?: return null
             val row = reader.lineSequence().find { it.startsWith("$step,") }?.split(',') ?: return null
+            if (row.size != names.size) return null
             fun at(column: Column) = names.indexOf(column.name).let { row.getOrNull(it)?.toDoubleOrNull() }
             return FACES.indices.mapNotNull { face ->
                 val position = at(PISTON_POSITION[face]) ?: return@mapNotNull null

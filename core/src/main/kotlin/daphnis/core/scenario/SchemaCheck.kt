@@ -11,7 +11,6 @@ import kotlinx.serialization.json.JsonElement
 import kotlinx.serialization.json.JsonNull
 import kotlinx.serialization.json.JsonObject
 import kotlinx.serialization.json.JsonPrimitive
-import kotlin.math.abs
 
 /**
  * Compares a JSON tree with what a serializer expects and names the first error by its path: an unknown
@@ -134,11 +133,13 @@ internal class SchemaCheck(private val source: String) {
 
     /** The whole number that it is; null for others. */
     private fun whole(primitive: JsonPrimitive): Long? {
-        if (primitive.isString) return null
-        primitive.content.toLongOrNull()?.let { return it }
-        if (!JSON_NUMBER.matches(primitive.content)) return null
-        val value = primitive.content.toDouble()
-        return if (abs(value) <= MOST_EXACT && value % 1.0 == 0.0) value.toLong() else null
+        if (primitive.isString || !JSON_NUMBER.matches(primitive.content)) return null
+        val value = primitive.content.toBigDecimalOrNull() ?: return null
+        return try {
+            value.longValueExact()
+        } catch (_: ArithmeticException) {
+            null
+        }
     }
 
     private fun expected(descriptor: SerialDescriptor): String = "it must be " + when (descriptor.kind) {
@@ -179,8 +180,6 @@ internal class SchemaCheck(private val source: String) {
     private companion object {
         const val HALF = "has half of a character (one of \\ud800 to \\udfff without its other half); give both halves"
 
-        /** Every whole number up to it is a double. */
-        const val MOST_EXACT = 9007199254740992.0
         const val MOST_SHOWN = 40
         const val MOST_LOOKED_AT = 1000
         val JSON_NUMBER = Regex("""-?\d+(\.\d+)?([eE][+-]?\d+)?""")

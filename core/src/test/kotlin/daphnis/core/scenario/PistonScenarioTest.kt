@@ -92,7 +92,7 @@ class PistonScenarioTest {
     }
 
     @Test
-    fun `a state of which nothing says where the piston was is refused, and a wall that was none begins as it is said`() {
+    fun `a state of which nothing says where the piston was is refused, and one that was none begins as it is said`() {
         fun run(name: String, motion: String) = home.resolve(name).let { directory ->
             val settings = arrayOf("output.snapshotEvery=7", "output.seriesEvery=5")
             Run.start(scenario(motion, *settings), "test", directory).use { it.execute() }
@@ -103,6 +103,17 @@ class PistonScenarioTest {
         val run = run("whole", plain)
         val told = assertThrows(InputException::class.java) { start(1, run) }.message.orEmpty()
         assertTrue("boundary.faces.upperX.motion: is a piston, and nothing says where it was" in told) { told }
+        // A row that is torn in the speed, as by a full disk.
+        val torn = home.resolve("torn")
+        Run.start(scenario(plain, "output.snapshotEvery=8"), "test", torn).use { it.execute() }
+        val series = torn.resolve("series.csv")
+        val text = Files.readString(series)
+        val rows = text.substring(0, text.indexOf('\n', text.indexOf("\n8,") + 1))
+        Files.writeString(series, rows.substringBeforeLast(',').dropLast(3))
+        val ofTorn = Run.open(torn)
+        assertThrows(InputException::class.java) {
+            Run.start(scenario(plain), "test", home.resolve("4"), from = RunOrigin(ofTorn, ofTorn.atStep(8)))
+        }
         start(2, run, """"type": "steady", "velocity": 0.1""").close()
         start(3, run("steady", """"type": "steady", "velocity": 0"""), """$plain, "position": 0.5""").close()
         val written = ScenarioJson.read(home.resolve("3/scenario.json")).boundary as BoundarySpec.Walls

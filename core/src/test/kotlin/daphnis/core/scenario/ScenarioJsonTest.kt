@@ -114,6 +114,7 @@ class ScenarioJsonTest {
         assertEquals(of("particles.count=20", "seed=-3"), of("particles.count=20.0", "seed=-3.0"))
         assertEquals(of("particles.count=20", "seed=0"), of("particles.count=2e1", "seed=-0.0"))
         assertTrue("\"seed\": ${Long.MIN_VALUE}," in of("seed=${Long.MIN_VALUE}"))
+        assertEquals(of("seed=9007199254740993"), of("seed=9007199254740993.0"))
     }
 
     @Test
@@ -128,7 +129,9 @@ class ScenarioJsonTest {
         assertWrong("particles.count=\"20\"", "particles.count", "whole number")
         assertWrong("particles.count=1e10", "particles.count", "1e10", "whole number below")
         assertWrong("particles.count=1e999999999", "particles.count", "whole number below")
-        assertWrong("seed=9007199254740994.0", "seed", "whole number")
+        assertWrong("seed=9223372036854775808.0", "seed", "whole number")
+        assertWrong("seed=1.0000000000000000000000001", "seed", "whole number")
+        assertWrong("seed=1e-400", "seed", "whole number")
         assertWrong("box.lengths=[1,2]", "box.lengths", "three")
         assertWrong("box.lengths=[10,10,\"x\"]", "box.lengths[2]", "finite number")
         assertWrong("box=3", "box", "3", "object")

@@ -122,7 +122,9 @@ class RunPlotTest {
         RunPlot.write(series(101) { 1.0 + it }, home, "wide", gas)
         val svg = RunPlot.svg(home.resolve("series.csv"), "wide", gas)!!
         val sheet = Regex("<svg [^>]* width=\"([0-9]+)\"").find(svg)!!.groupValues[1].toInt()
-        val texts = Regex("translate\\(([0-9.]+) ([0-9.]+)\\)\" font-size=\"([0-9]+)\" text-anchor=\"middle\"[^>]*>([^<]*)<")
+        val texts = Regex(
+            "translate\\(([0-9.]+) ([0-9.]+)\\)\" font-size=\"([0-9]+)\" text-anchor=\"middle\"[^>]*>([^<]*)<",
+        )
             .findAll(svg).map { it.groupValues.drop(1) }.toList()
         assertTrue(texts.isNotEmpty() && texts.all { it[2].toDouble() * 300 / sheet >= 11 }) { "$sheet $texts" }
         val numbers = texts.filter { it[3].toDoubleOrNull() != null }.groupBy { it[1] }.values

@@ -45,8 +45,8 @@ class GrowthReportTest {
         val page = Files.readString(out.resolve("report.html"))
         val run = AnalysisInput.ofRun(home)
         val ends = listOf(0, run.size - 1).map { ReportText.short(Bulk(run.state(it), run).fillingFactor) }
-        val what = "The spheres change their radii from the filling factor ${ends[0]} to ${ends[1]}, so averages over time"
-        assertTrue("$what mean nothing: numbers are of one state." in page) {
+        val what = "The spheres change their radii from the filling factor ${ends[0]} to ${ends[1]}, so averages"
+        assertTrue("$what over time mean nothing: numbers are of one state." in page) {
             page.substringAfter("The spheres").take(300)
         }
         assertTrue("Averages over 1 state of 7" in page)
