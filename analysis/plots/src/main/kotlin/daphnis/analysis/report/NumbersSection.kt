@@ -2,8 +2,6 @@ package daphnis.analysis.report
 
 import daphnis.core.format.WholeFile
 import daphnis.core.scenario.SizesSpec
-import java.math.BigDecimal
-import java.math.MathContext
 import java.nio.file.Files
 import kotlin.math.PI
 
@@ -32,7 +30,7 @@ internal class NumbersSection(private val study: Study, private val others: List
         if (notes.isNotEmpty()) page.paragraph(notes.joinToString(" "))
         for (line in steadiness()) page.paragraph(line)
         page.numbers(rows)
-        more(rows)?.let(page::paragraph)
+        RunSection.longer(study, rows)?.let(page::paragraph)
         Files.createDirectories(study.tables)
         val lines = rows.map {
             val error = if (it.error.isNaN()) "" else it.error
@@ -47,24 +45,6 @@ internal class NumbersSection(private val study: Study, private val others: List
             (listOf(header) + lines).joinToString("\n", postfix = "\n"),
         )
     }
-
-    /** Which run would give an error to those of the [rows] that lack states or time for one; null where none lacks them. */
-    private fun more(rows: List<NumberRow>): String? {
-        val scenario = study.input.scenario?.takeIf { study.input.directory != null } ?: return null
-        if (rows.none { it.unknown == Unknown.TOO_FEW || it.unknown == Unknown.SHORT_TIME }) return null
-        val output = scenario.output
-        val fewer = ENOUGH.toDouble() / study.averaged.size
-        val states = output.snapshotInterval?.let { "snapshotInterval=${typed(it / fewer)}" }
-            ?: "snapshotEvery=${(output.snapshotEvery / fewer).toInt().coerceAtLeast(1)}"
-        val options = listOfNotNull(
-            "--set output.$states".takeIf { fewer > 1 },
-            scenario.until?.let { "--until ${typed(LONGER * it)}" },
-        )
-        return "A run with ${options.joinToString(" ")} has more of them."
-    }
-
-    /** As it can be typed. */
-    private fun typed(value: Double) = BigDecimal(value).round(MathContext(3)).stripTrailingZeros().toPlainString()
 
     private fun areSizesDrawn() = when (study.physics?.particles?.sizes) {
         is SizesSpec.PowerLaw, is SizesSpec.LogNormal -> true
@@ -88,9 +68,6 @@ internal class NumbersSection(private val study: Study, private val others: List
     }
 
     private companion object {
-        /** States that are enough for most errors, and how much longer a run is to be where they are not. */
-        const val ENOUGH = 40
-        const val LONGER = 4
         const val DRAWN = "It is for the radii of this run: another seed draws others, so numbers of runs scatter more."
     }
 }

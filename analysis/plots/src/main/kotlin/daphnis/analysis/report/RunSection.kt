@@ -2,6 +2,8 @@ package daphnis.analysis.report
 
 import daphnis.core.run.Version
 import daphnis.core.scenario.TimeStepSpec
+import java.math.BigDecimal
+import java.math.MathContext
 import java.nio.file.Files
 import java.nio.file.Path
 
@@ -42,7 +44,30 @@ internal class RunSection(private val study: Study) : Section {
     }
 
     companion object {
+        /** States that are enough for most errors, and how much longer a run is to be where they are not. */
+        private const val ENOUGH = 40
+        private const val LONGER = 4
+
         private val PLAIN = Regex("[A-Za-z0-9_./:@%+=,-]+")
+
+        /** Which run would give an error to those of the [rows] that lack states or time for one; null where none does. */
+        fun longer(study: Study, rows: List<NumberRow>): String? {
+            val scenario = study.input.scenario?.takeIf { study.input.directory != null } ?: return null
+            if (rows.none { it.unknown == Unknown.TOO_FEW || it.unknown == Unknown.SHORT_TIME }) return null
+            val output = scenario.output
+            val fewer = ENOUGH.toDouble() / study.averaged.size
+            val states = output.snapshotInterval?.let { "snapshotInterval=${typed(it / fewer)}" }
+                ?: "snapshotEvery=${(output.snapshotEvery / fewer).toInt().coerceAtLeast(1)}"
+            val options = listOfNotNull(
+                "--set output.$states".takeIf { fewer > 1 },
+                scenario.until?.let { "--until ${typed(LONGER * it)}" },
+            )
+            return "A run with ${options.joinToString(" ")} has more of them."
+        }
+
+        /** [value] as it can be typed. */
+        private fun typed(value: Double) =
+            BigDecimal(value).round(MathContext(3)).stripTrailingZeros().toPlainString()
 
         /** A directory beside [run], which may be given as `.` and has no name of its own then. */
         fun besides(run: Path): Path {

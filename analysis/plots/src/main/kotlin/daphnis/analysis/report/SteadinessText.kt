@@ -120,7 +120,9 @@ internal class SteadinessText(
         /** Part of an average above which a drift that may have been missed leaves open whether it is steady. */
         const val MOST_MISSED = 0.25
         const val COOLING = "nothing replaces the energy that collisions take, so a longer run is not steady either; " +
-            "a thermostat makes one that is (--set 'forces=[{\"type\":\"rescaling\",\"temperature\":1}]')"
+            "a thermostat makes one that is (--set 'forces=[{\"type\":\"rescaling\",\"temperature\":1}]'). " +
+            "Cumulants and ratios of temperatures may be steady meanwhile, but have no ± either: " +
+            "the gas collides less and less often, so its later states are less independent than the earlier ones"
         const val HIDDEN = "a drift of a quarter of the average may hide in the fluctuations"
         const val MISSED = "A smaller one than this part of the average may have been missed, with 95 % confidence"
     }

@@ -88,6 +88,7 @@ class SteadinessTextTest {
             val said = SteadinessText(20.0, "unit of time", 1.0, isCooling = true).of(listOf(one)).single()
             val longer = "nothing replaces the energy that collisions take, so a longer run is not steady either; "
             assertTrue(longer in said && "--set 'forces=[{\"type\":\"rescaling\"" in said) { said }
+            assertTrue("ratios of temperatures may be steady meanwhile, but have no ± either" in said) { said }
         }
     }
 
