@@ -102,7 +102,7 @@ public class Analysis @JvmOverloads constructor(
                 "has no particle left in its last state; there is nothing to measure",
             )
         }
-        return Study(input, from, averaged(from), options, directory, start?.isFound == true)
+        return Study(input, from, averaged(from), options, directory, start?.isFound == true, isGrowing)
     }
 
     /** When a run is hoped to be steady. */

@@ -18,6 +18,7 @@ import kotlin.math.PI
  *
  * @property from averages begin at this time
  * @property isStartFound whether that is because the run drifted before, see [SteadyStart]
+ * @property isGrowing whether spheres grow, so that no part of the run is steady
  * @property averaged indices of the states that are averaged, ascending; never empty
  */
 internal class Study(
@@ -27,6 +28,7 @@ internal class Study(
     val options: AnalysisOptions,
     directory: Path,
     val isStartFound: Boolean = false,
+    val isGrowing: Boolean = Growth.isSeen(input),
 ) {
     val lastSnapshot: Snapshot = input.snapshot(input.size - 1)
     val last: State = input.state(input.size - 1, lastSnapshot)
@@ -34,8 +36,6 @@ internal class Study(
     val boxes: Boxes = Boxes(averaged.map { input.boundary(it) })
     val motion: Motion = Motion(input, from, last)
 
-    /** Whether spheres grow, so that no part of the run is steady. */
-    val isGrowing: Boolean = Growth.isSeen(input)
     val judgement: Judgement = Judgement(from, averaged.size, isGrowing) {
         RunHistory.of(input, from).ifEmpty { listOfNotNull(motion.history(from)) }
     }
