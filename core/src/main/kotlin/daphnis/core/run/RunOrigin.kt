@@ -1,14 +1,17 @@
 package daphnis.core.run
 
 import daphnis.core.format.Snapshot
+import daphnis.core.format.reasonOf
 import daphnis.core.scenario.BoundarySpec
 import daphnis.core.scenario.ClockSpec
 import daphnis.core.scenario.GuardSpec
+import daphnis.core.scenario.InputException
 import daphnis.core.scenario.PlacementSpec
 import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.Surroundings
 import daphnis.core.scenario.TimeStepSpec
 import daphnis.core.scenario.WallFacesSpec
+import java.io.IOException
 
 /**
  * A state of another run from which a run starts, see [Run.start].
@@ -59,6 +62,13 @@ public class RunOrigin(public val run: RecordedRun, public val state: Snapshot) 
     }
 
     /** Position and speed of each piston in the state, by face; null where the run does not tell. */
-    internal fun pistons(): Map<Int, List<Double>>? = CheckpointState(run.directory).meta(state.step)?.pistons
-        ?: SeriesColumns.pistons(run.directory.series, state)
+    internal fun pistons(): Map<Int, List<Double>>? {
+        CheckpointState(run.directory).meta(state.step)?.let { return it.pistons }
+        val series = run.directory.series
+        return try {
+            SeriesColumns.pistons(series, state)
+        } catch (e: IOException) {
+            throw InputException("$series", null, "cannot be read: ${reasonOf(e, series)}")
+        }
+    }
 }

@@ -66,8 +66,7 @@ internal class RunSection(private val study: Study) : Section {
         }
 
         /** [value] as it can be typed. */
-        private fun typed(value: Double) =
-            BigDecimal(value).round(MathContext(3)).stripTrailingZeros().toPlainString()
+        private fun typed(value: Double) = BigDecimal(value).round(MathContext(3)).stripTrailingZeros().toPlainString()
 
         /** A directory beside [run], which may be given as `.` and has no name of its own then. */
         fun besides(run: Path): Path {
