@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import re
 from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any, Union
@@ -23,9 +22,6 @@ from .scenarios import scenario as as_scenario
 from .states import State
 
 Origin = Union[Run, State, str, "os.PathLike[str]"]
-
-_OF_STATE = ("seed", "particles", "bodies", "placement", "velocities", "spins")
-_OF_PISTON = re.compile(r"boundary\.faces\.(\w+)\.motion\.(?:position|velocity)$")
 
 
 @checked
@@ -207,19 +203,8 @@ def _check_state(set: Settings | None, seed: int | None, origin: Any) -> None:
     if seed is not None:
         raise InputError("seed: is of an initial state; with from_ it is that of the other run")
     for key in set or {}:
-        if key.split(".")[0].split("[")[0] in _OF_STATE:
+        if origin.isOfState(key):
             raise InputError(f"set: {key}: is of an initial state; with from_ it is that of the other run")
-        piston = _OF_PISTON.match(key)
-        if piston and piston[1] in _pistons(origin):
-            raise InputError(f"set: {key}: is of an initial state; with from_ it is that of the other run")
-
-
-def _pistons(origin: Any) -> list[str]:
-    """Names of the faces that are pistons in the other run; where they are is part of its state."""
-    found = origin.getRun().scenario()
-    boundary = {} if found is None else Scenario(found, "").to_dict().get("boundary", {})
-    faces = boundary.get("faces") or {}
-    return [name for name, face in faces.items() if ((face or {}).get("motion") or {}).get("type") == "piston"]
 
 
 def _scenario_of(origin: Any) -> Scenario:

@@ -15,12 +15,10 @@ import daphnis.app.progress.TimesInWords
 import daphnis.core.run.ProgramRecord
 import daphnis.core.run.Run
 import daphnis.core.run.RunOrigin
-import daphnis.core.scenario.BoundarySpec
 import daphnis.core.scenario.FrameSetup
 import daphnis.core.scenario.InputException
 import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.TimeStepSpec
-import daphnis.core.scenario.WallMotionSpec
 import java.nio.file.Files
 import java.nio.file.Path
 
@@ -69,10 +67,7 @@ class RunCommand : CliktCommand(name = "run") {
         if (engine != null && fleet.isGiven) {
             throw InputException("--engine", null, "is for one process; nodes compute in a way of their own")
         }
-        val origin = from?.let {
-            checkState()
-            originNamed(it).also(::checkPistons)
-        }
+        val origin = from?.let(::originNamed)?.also(::checkState)
         val source = scenario ?: origin?.let { ownScenario(it) } ?: "paper-figure-1"
         val changes = settings + listOfNotNull(
             from?.let { "from $it" },
@@ -94,29 +89,10 @@ class RunCommand : CliktCommand(name = "run") {
     }
 
     /** What makes an initial state has no meaning when that is of another run. */
-    private fun checkState() {
+    private fun checkState(origin: RunOrigin) {
         if (seed != null) throw InputException("--seed", null, "is of an initial state; with $FROM it is $from")
         for (setting in settings) {
-            val key = setting.takeWhile { it != '.' && it != '[' && it != '=' }
-            if (key !in OF_STATE) continue
-            throw InputException("--set", setting, "is of an initial state; with $FROM it is $from")
-        }
-    }
-
-    /** Where a piston was is part of the state. */
-    private fun checkPistons(origin: RunOrigin) {
-        val faces = (origin.run.scenario()?.boundary as? BoundarySpec.Walls)?.faces ?: return
-        val motions = mapOf(
-            "lowerX" to faces.lowerX,
-            "upperX" to faces.upperX,
-            "lowerY" to faces.lowerY,
-            "upperY" to faces.upperY,
-            "lowerZ" to faces.lowerZ,
-            "upperZ" to faces.upperZ,
-        ).mapValues { it.value?.motion }
-        for (setting in settings) {
-            val face = OF_PISTON.find(setting)?.groupValues?.get(1) ?: continue
-            if (motions[face] !is WallMotionSpec.Piston) continue
+            if (!origin.isOfState(setting.substringBefore('='))) continue
             throw InputException("--set", setting, "is of an initial state; with $FROM it is $from")
         }
     }
@@ -158,11 +134,5 @@ class RunCommand : CliktCommand(name = "run") {
         val times = TimesInWords.of(scenario)
         val ends = "and the run would end at ${times.text(end)}"
         throw InputException(FROM, null, "is at time ${times.text(start)}, $ends; give --steps or --until")
-    }
-
-    private companion object {
-        /** Keys of a scenario that make its initial state. */
-        val OF_PISTON = Regex("""^boundary\.faces\.(\w+)\.motion\.(?:position|velocity)=""")
-        val OF_STATE = setOf("seed", "particles", "bodies", "placement", "velocities", "spins")
     }
 }

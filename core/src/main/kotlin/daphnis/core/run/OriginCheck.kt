@@ -59,7 +59,7 @@ internal class OriginCheck(private val scenario: Scenario, private val source: S
     private fun boundary(other: Scenario?): BoundarySpec {
         val walls = scenario.boundary as? BoundarySpec.Walls
         val faces = walls?.faces ?: return scenario.boundary
-        val before = (other?.boundary as? BoundarySpec.Walls)?.faces?.pistons.orEmpty()
+        val before = RunOrigin.pistonsOf(other)
         val both = faces.pistons.keys intersect before.keys
         if (both.isEmpty()) return walls
         val atStart = before.mapValues { listOf(it.value.position, it.value.velocity) }

@@ -11,6 +11,7 @@ import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.Surroundings
 import daphnis.core.scenario.TimeStepSpec
 import daphnis.core.scenario.WallFacesSpec
+import daphnis.core.scenario.WallMotionSpec
 import java.io.IOException
 
 /**
@@ -33,6 +34,13 @@ public class RunOrigin(public val run: RecordedRun, public val state: Snapshot) 
     /** Space and time of the other run; null when it is of a [Program]. */
     internal val around: Surroundings? by lazy { scenario?.let { Surroundings.of(it, "${run.directory.scenario}") } }
 
+    /** Whether the scenario's [key] is of an initial state, so that a run from this one cannot be given it. */
+    public fun isOfState(key: String): Boolean {
+        if (key.substringBefore('.').substringBefore('[') in OF_STATE) return true
+        val face = OF_PISTON.matchEntire(key)?.groupValues?.get(1) ?: return false
+        return WallFacesSpec.NAMES.indexOf(face) in pistonsOf(scenario)
+    }
+
     /** The placement of a scenario that starts from the state. */
     internal fun placement() = PlacementSpec.File(name, state.time, state.step, run = name, clock = clock())
 
@@ -51,9 +59,8 @@ public class RunOrigin(public val run: RecordedRun, public val state: Snapshot) 
 
     /** Pistons that [scenario] would have elsewhere, or with another speed, than the scenario of the other run. */
     private fun elsewhere(scenario: Scenario): List<String> {
-        fun of(scenario: Scenario?) = (scenario?.boundary as? BoundarySpec.Walls)?.faces?.pistons.orEmpty()
-        val before = of(this.scenario)
-        return of(scenario).filter { (face, piston) ->
+        val before = pistonsOf(this.scenario)
+        return pistonsOf(scenario).filter { (face, piston) ->
             before[face]?.let { it.position != piston.position || it.velocity != piston.velocity } == true
         }.map { (face, _) ->
             "$name: ${WallFacesSpec.KEY}.${WallFacesSpec.NAMES[face]}.motion: the piston goes on from where it is in " +
@@ -70,5 +77,14 @@ public class RunOrigin(public val run: RecordedRun, public val state: Snapshot) 
         } catch (e: IOException) {
             throw InputException("$series", null, "cannot be read: ${reasonOf(e, series)}")
         }
+    }
+
+    internal companion object {
+        private val OF_STATE = setOf("seed", "particles", "bodies", "placement", "velocities", "spins")
+        private val OF_PISTON = Regex("""boundary\.faces\.(\w+)\.motion\.(?:position|velocity)""")
+
+        /** The pistons of [scenario] by face. */
+        fun pistonsOf(scenario: Scenario?): Map<Int, WallMotionSpec.Piston> =
+            (scenario?.boundary as? BoundarySpec.Walls)?.faces?.pistons.orEmpty()
     }
 }

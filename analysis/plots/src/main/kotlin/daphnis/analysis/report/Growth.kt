@@ -6,6 +6,7 @@ import daphnis.analysis.plot.Curve
 import daphnis.analysis.plot.SeriesPlots
 import daphnis.analysis.table.Column
 import daphnis.analysis.table.Table
+import daphnis.core.format.Snapshot
 import daphnis.core.run.SeriesColumns
 import kotlin.math.abs
 
@@ -17,13 +18,17 @@ internal object Growth {
         if (input.directory != null && input.scenario != null || input.size < 2) return false
         val first = input.snapshot(0)
         val last = input.snapshot(input.size - 1)
-        val before = HashMap<Int, Double>()
-        for (k in 0 until first.size) before[first.id[k]] = first.radius[k]
-        val others = (0 until last.size).count { k ->
-            val radius = before[last.id[k]] ?: return@count false
-            abs(last.radius[k] - radius) > SAME * radius
-        }
+        val before = ranked(first)
+        val after = ranked(last)
+        val others = after.count { (name, radius) -> before[name]?.let { abs(radius - it) > SAME * it } == true }
         return 2 * others > last.size
+    }
+
+    /** Radii by id; where rows of a file may be in any order, by their rank. */
+    private fun ranked(state: Snapshot): Map<Int, Double> = if (state.hasId) {
+        state.id.zip(state.radius.asList()).toMap()
+    } else {
+        state.radius.sorted().withIndex().associate { it.index to it.value }
     }
 
     /** That numbers are of the last state alone, and why. */

@@ -36,10 +36,9 @@ internal class PairPart(private val study: Study) : Part {
         if (averages.size == 0) return ""
         val mean = (FAR until BINS).map { averages.average(it).mean }.average()
         if (!(abs(mean - 1) > UNEVEN)) return ""
-        return " At the longest of these distances g is about ${ReportText.short(
-            mean,
-        )}, not 1, since the density varies " +
-            "over longer distances than these: pairs are of particles, and more of them are where it is high."
+        val far = ReportText.short(mean)
+        return " At the longest of these distances g is about $far, not 1, since the density varies over longer " +
+            "distances than these: pairs are of particles, and more of them are where it is high."
     }
 
     private val text get() = when {

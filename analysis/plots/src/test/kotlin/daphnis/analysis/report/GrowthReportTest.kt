@@ -5,6 +5,7 @@ import daphnis.core.format.H5md
 import daphnis.core.run.Run
 import daphnis.core.scenario.BuiltIn
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
@@ -50,6 +51,18 @@ class GrowthReportTest {
             page.substringAfter("The spheres").take(300)
         }
         assertTrue("Averages over 1 state of 7" in page)
+    }
+
+    @Test
+    fun `rows of a file without ids may be in any order`(@TempDir home: Path) {
+        fun isGrowing(name: String, scale: Double): Boolean {
+            fun state(from: Int, scale: Double) = "20\nProperties=pos:R:3:radius:R:1 Lattice=\"9 0 0 0 9 0 0 0 9\"\n" +
+                (0 until 20).joinToString("") { "${(it + from) % 20 * 0.4} 0 0 ${scale * (1 + (it + from) % 20)}\n" }
+            val file = Files.writeString(home.resolve("$name.xyz"), state(0, 0.01) + state(7, 0.01 * scale))
+            return Growth.isSeen(AnalysisInput.ofFile(file, null, ""))
+        }
+        assertFalse(isGrowing("turned", 1.0))
+        assertTrue(isGrowing("grown", 1.1))
     }
 
     private fun name(heading: String) = heading.substringBefore(' ')
