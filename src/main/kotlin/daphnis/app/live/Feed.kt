@@ -3,12 +3,16 @@ package daphnis.app.live
 import java.util.concurrent.TimeUnit
 import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock
+import kotlin.time.Duration
+import kotlin.time.Duration.Companion.seconds
 
 /**
  * What a live page shows: the latest text of each kind, numbered as they come. Any thread may [put], [end] and read;
  * all fields are guarded by [lock].
+ *
+ * @param longestArrival from one file of a page to the next, or to when it looks
  */
-internal class Feed {
+internal class Feed(private val longestArrival: Duration = 2.seconds) {
     /** A text of a [kind], the [number]th of all. */
     class Entry(val kind: String, val text: String, val number: Long)
 
@@ -32,7 +36,7 @@ internal class Feed {
     fun watching(kind: String): Int = lock.withLock { watchers.count { it.without != kind } }
 
     /** A page, or a part of one, has been sent, which will look when it has all. */
-    fun expect(): Unit = lock.withLock { arrival = System.nanoTime() + LONGEST_ARRIVAL }
+    fun expect(): Unit = lock.withLock { arrival = System.nanoTime() + longestArrival.inWholeNanoseconds }
 
     /** Waits until no page is on its way. */
     fun awaitArrival(): Unit = lock.withLock { while (isAwaited()) changed.awaitNanos(nanosecondsToArrival()) }
@@ -99,8 +103,5 @@ internal class Feed {
         const val SERIES = "series"
         const val PROBLEM = "problem"
         const val END = "end"
-
-        /** From one file of a page to the next, or to when it looks. */
-        private val LONGEST_ARRIVAL = TimeUnit.SECONDS.toNanos(2)
     }
 }

@@ -41,6 +41,9 @@ public class RayCasting @JvmOverloads constructor(
     public class Shadow internal constructor(public val nx: Int, public val ny: Int) {
         public val blocked: BooleanArray = BooleanArray(nx * ny)
 
+        /** How many times a ray was found in a shadow: what the shadows have cost. */
+        internal var asked: Long = 0L
+
         /** Share of the rays that get through, by position along x: a synthetic occultation scan. */
         public fun scan(): DoubleArray = DoubleArray(nx) { free(it * ny, (it + 1) * ny) / ny.toDouble() }
 
@@ -148,6 +151,7 @@ public class RayCasting @JvmOverloads constructor(
                 // In one box of images.
                 val start = Math.floorMod(j, countB)
                 val end = minOf(countB, start + to - j + 1)
+                shadow.asked += end - start
                 for (k in start until end) {
                     val ray = i * strideA + k * strideB
                     if (shadow.blocked[ray]) continue

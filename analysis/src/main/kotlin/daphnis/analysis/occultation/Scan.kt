@@ -64,7 +64,10 @@ public class Scan @JvmOverloads constructor(
      *
      * @throws IllegalArgumentException where there is a [problem]
      */
-    public fun of(state: State): LightCurve {
+    public fun of(state: State): LightCurve = caster(state).let { it.lattice.light(it.cast()) }
+
+    /** What drops the shadows of [state]. */
+    internal fun caster(state: State): ShadowCaster {
         problem(state.boundary)?.let { throw IllegalArgumentException("a footprint, $footprint: $it") }
         val (along, across) = room(state.boundary.box)
         val lattice = Lattice(
@@ -73,8 +76,7 @@ public class Scan @JvmOverloads constructor(
             floor(across / footprint.width * ENOUGH).toInt(),
             spacing(state, along * across),
         )
-        val caster = ShadowCaster(state, line, c, s, lattice)
-        return lattice.light(caster.cast())
+        return ShadowCaster(state, line, c, s, lattice)
     }
 
     /** Largest distance between rays, for tracks that cover [area]. */

@@ -24,7 +24,7 @@ internal class ShadowCaster(
     line: LineOfSight,
     private val c: Double,
     private val s: Double,
-    private val lattice: Lattice,
+    val lattice: Lattice,
 ) {
     private val box = state.boundary.box
     private val images = PlaneImages(state.boundary, state.time)

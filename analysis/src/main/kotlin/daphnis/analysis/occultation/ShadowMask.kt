@@ -7,12 +7,17 @@ internal class ShadowMask(val rows: Int, val places: Int) {
     private val words = (places + 63) / 64
     private val bits = LongArray(Math.multiplyExact(rows, words))
 
+    /** How many times a word has been written: what the shadows have cost. */
+    var written = 0L
+        private set
+
     /** Sets the points [from] to [to] of [row], both included; all lie in it. */
     fun block(row: Int, from: Int, to: Int) {
         val first = row * words + (from shr 6)
         val last = row * words + (to shr 6)
         val head = -1L shl (from and 63)
         val tail = -1L ushr (63 - (to and 63))
+        written += last - first + 1
         if (first == last) {
             bits[first] = bits[first] or (head and tail)
             return

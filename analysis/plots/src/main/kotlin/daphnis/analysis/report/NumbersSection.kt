@@ -22,7 +22,8 @@ internal class NumbersSection(private val study: Study, private val others: List
         val notes = ArrayList<String>()
         if (rows.any { !it.error.isNaN() }) {
             notes +=
-                "± is one standard error; numbers without it and without a mark follow from the particles and the box themselves."
+                "± is one standard error; numbers without it and without a mark follow from the particles and the " +
+                "box themselves, or are conserved."
             if (areSizesDrawn()) notes += DRAWN
         }
         val source = if (study.input.scenario == null) "file" else "scenario"

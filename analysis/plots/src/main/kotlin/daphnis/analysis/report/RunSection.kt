@@ -1,6 +1,7 @@
 package daphnis.analysis.report
 
 import daphnis.core.run.Version
+import daphnis.core.scenario.OutputSpec
 import daphnis.core.scenario.TimeStepSpec
 import java.math.BigDecimal
 import java.math.MathContext
@@ -54,15 +55,23 @@ internal class RunSection(private val study: Study) : Section {
         fun longer(study: Study, rows: List<NumberRow>): String? {
             val scenario = study.input.scenario?.takeIf { study.input.directory != null } ?: return null
             if (rows.none { it.unknown == Unknown.TOO_FEW || it.unknown == Unknown.SHORT_TIME }) return null
-            val output = scenario.output
-            val fewer = ENOUGH.toDouble() / study.averaged.size
-            val states = output.snapshotInterval?.let { "snapshotInterval=${typed(it / fewer)}" }
-                ?: "snapshotEvery=${(output.snapshotEvery / fewer).toInt().coerceAtLeast(1)}"
-            val options = listOfNotNull(
-                "--set output.$states".takeIf { fewer > 1 },
-                scenario.until?.let { "--until ${typed(LONGER * it)}" },
-            )
-            return "A run with ${options.joinToString(" ")} has more of them."
+            val end = scenario.until ?: return null
+            val later = "--until ${typed(end + (LONGER - 1) * (end - scenario.startTime))}"
+            val options = listOfNotNull(states(study, scenario.output), later).joinToString(" ")
+            return "A run with $options has more of them."
+        }
+
+        /** How often a run that is so much longer is to write states; null where it has enough. */
+        private fun states(study: Study, output: OutputSpec): String? {
+            val fewer = ENOUGH.toDouble() / (LONGER * study.averaged.size)
+            val interval = output.snapshotInterval
+            return when {
+                fewer <= 1 -> null
+                interval != null -> "--set output.snapshotInterval=${typed(interval / fewer)}"
+                output.snapshotEvery > 0 ->
+                    "--set output.snapshotEvery=${(output.snapshotEvery / fewer).toInt().coerceAtLeast(1)}"
+                else -> null
+            }
         }
 
         /** [value] as it can be typed. */

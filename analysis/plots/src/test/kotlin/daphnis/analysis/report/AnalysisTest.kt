@@ -163,7 +163,7 @@ class AnalysisTest {
     @Test
     fun `errors of a run whose sizes are drawn are said to be for its own radii`() {
         val said = "± is one standard error; numbers without it and without a mark follow from the particles " +
-            "and the box themselves. It is for the radii of this run: another seed draws others"
+            "and the box themselves, or are conserved. It is for the radii of this run: another seed draws others"
         val drawn = "{\"type\":\"power-law\",\"minimum\":0.3,\"maximum\":0.6,\"exponent\":3}"
         for ((sizes, isSaid) in listOf(drawn to true, "{\"type\":\"list\",\"radii\":[0.3,0.6]}" to false)) {
             val box = listOf("particles.sizes=$sizes", "particles.count=100", "box.lengths=[9,9,9]")
