@@ -1,5 +1,6 @@
 package daphnis.app.describe
 
+import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.ContactFaces
 import daphnis.core.initial.fillingFactor
 import daphnis.core.population.SpinSums
@@ -61,9 +62,16 @@ internal class CollisionRate private constructor(
             return setup.scenario.forces.any { force ->
                 force is ForceSpec.UniformAcceleration &&
                     (0 until setup.boundary.space.dimensions).any {
-                        force.acceleration[it] != 0.0 && setup.boundary.contactFaces(it) == ContactFaces.WALL
+                        force.acceleration[it] != 0.0 && hasFloor(setup.boundary, it)
                     }
             }
+        }
+
+        /** Whether spheres that are pressed along [axis] come to lie on something. */
+        private fun hasFloor(boundary: BoundaryConditions, axis: Int) = when (boundary.contactFaces(axis)) {
+            ContactFaces.WALL -> true
+            ContactFaces.OPEN -> boundary.surfaces.isNotEmpty()
+            ContactFaces.WRAPPING, ContactFaces.PERIODIC -> false
         }
 
         private fun enskog(setup: ScenarioSetup): Double {

@@ -1,6 +1,5 @@
 package daphnis.app.describe
 
-import daphnis.core.scenario.RestitutionSpec
 import daphnis.core.scenario.ScenarioParts
 import java.math.BigDecimal
 import java.math.MathContext
@@ -14,13 +13,7 @@ internal class Quantities(scenario: ScenarioParts) {
     private val units = scenario.units
     private val si = units.si
 
-    /** Speeds have a meaning in cm/s also without lengths: restitution laws use it. */
-    private val speedKnown =
-        si != null ||
-            units.speedInCmPerSecond != 1.0 ||
-            (scenario.contacts.map { it.restitution } + scenario.restitution).any {
-                it != null && it !is RestitutionSpec.Constant
-            }
+    private val cmPerSecond = scenario.cmPerSecond
 
     fun length(value: Double): String {
         val metres = (si ?: return plain(value, "length units")).metres * value
@@ -44,7 +37,7 @@ internal class Quantities(scenario: ScenarioParts) {
     }
 
     fun speed(value: Double): String =
-        if (speedKnown) number(value * units.speedInCmPerSecond) + " cm/s" else plain(value, "units of speed")
+        if (cmPerSecond != null) number(value * cmPerSecond) + " cm/s" else plain(value, "units of speed")
 
     fun angularSpeed(value: Double): String = if (si == null) {
         plain(value, "radians per unit of time")

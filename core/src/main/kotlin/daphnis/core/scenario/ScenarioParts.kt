@@ -44,6 +44,12 @@ public interface ScenarioParts {
     /** Moment of inertia of the spheres over mass · radius². */
     public val momentFactor: Double get() = roughness?.momentFactor ?: space.momentFactor
 
+    /** The unit of speed in cm/s; null where neither units nor laws of restitution, which are in cm/s, say what it is. */
+    public val cmPerSecond: Double? get() = units.speedInCmPerSecond.takeIf {
+        val laws = contacts.map { contact -> contact.restitution } + restitution
+        units.lengthInMetres != null || it != 1.0 || laws.any { law -> law != null && law !is RestitutionSpec.Constant }
+    }
+
     /**
      * Names of the materials by number: of [particles], `particles` where these have none and a body has one, and then
      * those that only [bodies] have; of a state that is placed from a file those that the placement names. Empty where

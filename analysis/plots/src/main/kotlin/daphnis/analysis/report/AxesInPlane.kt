@@ -9,8 +9,11 @@ import kotlin.math.sqrt
  * all angles, and no error tells so.
  */
 internal object AxesInPlane {
-    /** Errors that either number must be away from 0. */
-    private const val SIGNIFICANT = 3.0
+    /**
+     * Errors that both numbers together must be away from 0. An error of a run is that of some dozen degrees of freedom,
+     * ν: two of an isotropic gas are beyond d of them by a chance of (1 + d²/ν)^(−ν/2), 0.6 %.
+     */
+    private const val SIGNIFICANT = 4.0
 
     /** Whether [motion] of [particles] particles has a direction. */
     fun isSeen(motion: Motion, particles: Int): Boolean {

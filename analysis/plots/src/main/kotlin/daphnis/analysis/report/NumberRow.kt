@@ -41,16 +41,19 @@ internal class NumberRow(
  * @property mark behind the value on the page
  * @property sentence below the table
  */
-internal enum class Unknown(val remark: String, val mark: String, val sentence: String) {
+internal enum class Unknown(val remark: String, val mark: String, val sentence: String, val longer: Int? = null) {
     TOO_FEW(
         "too few independent states",
         "?",
         "No error can be given: it takes 16 states or rows, which are worth eight independent ones.",
+        longer = 4,
     ),
     SHORT_TIME(
         "too short for its lags",
         "†",
         "No error can be given: the time averaged is shorter than six times the longest lag of the fit.",
+        // A fit ends at half the time at most, and may take lags that are twice as long when there are any.
+        longer = 6,
     ),
     UNSTEADY("not steady", "!", "No error is given: the run is not steady over the time averaged."),
     ONE_STATE("not steady", "!", "No error is given: the number is of one state of a run that changes."),

@@ -9,7 +9,6 @@ import daphnis.core.run.ProgramRecord
 import daphnis.core.run.Summary
 import daphnis.core.scenario.BoundarySpec
 import daphnis.core.scenario.Scenario
-import daphnis.core.scenario.UnitsSpec
 import java.nio.file.Files
 import kotlin.math.PI
 
@@ -55,7 +54,7 @@ internal class RunParameters(private val input: AnalysisInput, private val last:
 
     private fun scenario(): List<Pair<String, String>> {
         val scenario = input.scenario ?: return emptyList()
-        val units = "units" to units(scenario.units)
+        val units = "units" to units(scenario)
         val program = input.directory?.program
         if (program != null && Files.exists(program)) {
             // The scenario was given for space, time and units only.
@@ -70,10 +69,12 @@ internal class RunParameters(private val input: AnalysisInput, private val last:
         if (scenario.boundary is BoundarySpec.Open) "open$AROUND" else boundary
 
     /** Without a length nothing is known in SI units but speeds and, for what it is worth, masses. */
-    private fun units(units: UnitsSpec): String {
+    private fun units(scenario: Scenario): String {
+        val units = scenario.units
+        val speed = scenario.cmPerSecond ?: return "none"
         val length = units.lengthInMetres?.let { "${short(it)} m" } ?: "not given"
         val time = units.timeInSeconds?.let { ", time ${short(it)} s" }.orEmpty()
-        return "speed ${short(units.speedInCmPerSecond)} cm/s, length $length, mass ${short(units.massInKg)} kg$time"
+        return "speed ${short(speed)} cm/s, length $length, mass ${short(units.massInKg)} kg$time"
     }
 
     private fun states(): List<Pair<String, String>> {

@@ -45,25 +45,24 @@ internal class RunSection(private val study: Study) : Section {
     }
 
     companion object {
-        /** States that are enough for most errors, and how much longer a run is to be where they are not. */
+        /** States that are enough for most errors. */
         private const val ENOUGH = 40
-        private const val LONGER = 4
 
         private val PLAIN = Regex("[A-Za-z0-9_./:@%+=,-]+")
 
         /** Which run would give an error to those of the [rows] that lack states or time for one; null where none does. */
         fun longer(study: Study, rows: List<NumberRow>): String? {
             val scenario = study.input.scenario?.takeIf { study.input.directory != null } ?: return null
-            if (rows.none { it.unknown == Unknown.TOO_FEW || it.unknown == Unknown.SHORT_TIME }) return null
+            val longer = rows.mapNotNull { it.unknown?.longer }.maxOrNull() ?: return null
             val end = scenario.until ?: return null
-            val later = "--until ${typed(end + (LONGER - 1) * (end - scenario.startTime))}"
-            val options = listOfNotNull(states(study, scenario.output), later).joinToString(" ")
+            val later = "--until ${typed(end + (longer - 1) * (end - scenario.startTime))}"
+            val options = listOfNotNull(states(study, scenario.output, longer), later).joinToString(" ")
             return "A run with $options has more of them."
         }
 
-        /** How often a run that is so much longer is to write states; null where it has enough. */
-        private fun states(study: Study, output: OutputSpec): String? {
-            val fewer = ENOUGH.toDouble() / (LONGER * study.averaged.size)
+        /** How often a run that is [longer] by that factor is to write states; null where it has enough. */
+        private fun states(study: Study, output: OutputSpec, longer: Int): String? {
+            val fewer = ENOUGH.toDouble() / (longer * study.averaged.size)
             val interval = output.snapshotInterval
             return when {
                 fewer <= 1 -> null

@@ -1,10 +1,12 @@
 package daphnis.analysis.report
 
+import daphnis.core.run.Summary
 import daphnis.core.scenario.ForceSpec
 import daphnis.core.scenario.InputException
 import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.ScenarioSetup
 import daphnis.core.scenario.warnings
+import java.util.Locale
 import kotlin.math.abs
 
 /** Why the numbers of a run may not be those that were wanted, in sentences. */
@@ -12,7 +14,17 @@ internal object RunWarnings {
     /** Of the run of [study] and the [rows] of its numbers; none for a file or the run of a program. */
     fun of(study: Study, rows: List<NumberRow>): List<String> {
         val scenario = study.physics?.takeIf { study.input.directory != null } ?: return emptyList()
-        return ofRun(study, scenario) + DrivenWalls.inStep(scenario) + listOfNotNull(imbalance(scenario, rows))
+        val ofNumbers = listOfNotNull(resting(study.input.summary), imbalance(scenario, rows))
+        return ofRun(study, scenario) + DrivenWalls.inStep(scenario) + ofNumbers
+    }
+
+    /** Where the guard decides how many collisions there are, and not the law of restitution. */
+    private fun resting(summary: Summary?): String? {
+        val part = (summary ?: return null).guardActivations / summary.collisions.toDouble()
+        if (!(part > MOST_GUARDED)) return null
+        val percent = "%.0f".format(Locale.ROOT, 100 * part)
+        return "The collapse guard made $percent % of the collisions elastic, as between spheres that rest on each " +
+            "other: how many collisions there are is its choice more than the spheres'."
     }
 
     /** What the run warned of when it began; none where its scenario, accepted with a loss, is none any more. */
@@ -44,5 +56,6 @@ internal object RunWarnings {
     fun isOff(balance: Double, error: Double): Boolean = abs(balance - 1) > maxOf(MOST_ERRORS * error, MOST_PART)
 
     private const val MOST_ERRORS = 5
+    private const val MOST_GUARDED = 0.1
     private const val MOST_PART = 0.01
 }

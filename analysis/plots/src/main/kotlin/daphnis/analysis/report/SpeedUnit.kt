@@ -1,6 +1,5 @@
 package daphnis.analysis.report
 
-import daphnis.core.scenario.RestitutionSpec
 import daphnis.core.scenario.ScenarioParts
 
 /**
@@ -8,9 +7,7 @@ import daphnis.core.scenario.ScenarioParts
  * a restitution law that is in cm/s; else that unit, called [unnamed].
  */
 internal class SpeedUnit(scenario: ScenarioParts?, unnamed: String) {
-    private val cmPerSecond = scenario?.units?.speedInCmPerSecond?.takeIf {
-        scenario.units.lengthInMetres != null || it != 1.0 || scenario.restitution !is RestitutionSpec.Constant
-    }
+    private val cmPerSecond = scenario?.cmPerSecond
 
     /** What a speed in the scenario's units is multiplied by. */
     val factor: Double = cmPerSecond ?: 1.0

@@ -125,7 +125,7 @@ internal class Study(
 
     companion object {
         /** Why what is measured over the box is left out where [isRoomCut]. */
-        const val ROOM_CUT = "the room is not the box"
+        const val ROOM_CUT = "walls cut off a part of the box"
 
         /** Particles below which averages over them mean nothing. */
         private const val FEWEST = 10

@@ -105,7 +105,7 @@ class AnalysisTest {
             "forces" to "none",
             "timeStep" to "fixed, dt 0.1",
             "velocities" to "gaussian, sigma 1.0",
-            "units" to "speed 1 cm/s, length not given, mass 1 kg",
+            "units" to "none",
         )) {
             assertTrue("<th scope=\"row\">${row.first}</th><td>${row.second}" in html) { "$row" }
         }

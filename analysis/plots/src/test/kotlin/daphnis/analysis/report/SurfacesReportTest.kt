@@ -18,8 +18,10 @@ class SurfacesReportTest {
         Run.start(BuiltIn.scenario("drum", settings), "drum", home).use { it.execute() }
         Analysis(AnalysisInput.ofRun(home)).write(home)
         val page = Files.readString(home.resolve("report.html"))
-        assertTrue("Structure: the room is not the box." in page)
+        assertTrue("Structure: walls cut off a part of the box." in page)
         assertTrue("Occultation" !in page) { "a drum is no ring" }
+        val resting = Regex("The collapse guard made \\d\\d % of the collisions elastic, as between spheres that rest")
+        assertTrue(resting.containsMatchIn(page))
         val plots = listOf("pair-correlation", "structure-factor", "occultation", "radial-optical-depth") +
             listOf("radial-filling-factor", "vertical-filling-factor")
         assertEquals(emptyList<String>(), plots.filter { Files.exists(home.resolve("plots/$it.svg")) })
