@@ -155,7 +155,7 @@ private fun report(summary: Summary, times: TimesInWords, units: UnitsOfDimensio
     val ofSpeeds = named(units, Dimension.SPEED_SQUARED)
     val ofEnergy = named(units, Dimension.ENERGY).ifEmpty { "in the scenario's units" }
     val temperature = String.format(Locale.ROOT, "%.6g %s", summary.temperature, ofSpeeds).trim()
-    say("temperature %s, energy %.6g %s", temperature, summary.energy, ofEnergy)
+    say("temperature %s, kinetic energy %.6g %s", temperature, summary.energy, ofEnergy)
     if (summary.maxOverlap > 0) say("deepest overlap %.2g of the sum of two radii", summary.maxOverlap)
     val guarded = counted(summary.guardActivations, "collision")
     if (summary.guardActivations > 0) say("the collapse guard made %s elastic", guarded)

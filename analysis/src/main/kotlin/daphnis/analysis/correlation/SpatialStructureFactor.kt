@@ -29,8 +29,9 @@ public class SpatialStructureFactor @JvmOverloads constructor(
         require(largest > 0 && largest.isFinite() && bins >= 1) { "$bins bins up to $largest; both must be positive" }
     }
 
-    /** Middle of [bin]. */
-    public fun centre(bin: Int): Double = (bin + 0.5) * largest / bins
+    /** Mean |k| of the wave vectors that are taken of [state], by bin; the middle of a bin without any. */
+    public fun waveNumbers(state: State): DoubleArray =
+        vectors(state, (0 until state.population.size).count { isMember(state, it) }).meanLengths()
 
     /**
      * Where the bins of the groups [a] and [b] begin among the numbers, for two groups or more; both orders are one.
@@ -45,12 +46,10 @@ public class SpatialStructureFactor @JvmOverloads constructor(
         val n = groups.count
         val members = List(n) { ArrayList<Int>() }
         for (i in 0 until state.population.size) {
-            val g = if (state.isParticle(i)) groups.of(state, i) else -1
-            if (g >= 0) members[g] += i
+            if (isMember(state, i)) members[groups.of(state, i)] += i
         }
         val particles = members.sumOf { it.size }
-        val most = WaveVectors.most(MOST_WORK, particles, bins)
-        val vectors = WaveVectors(state.boundary, state.time, largest, bins, most)
+        val vectors = vectors(state, particles)
         val sums = WaveSums(state, vectors).let { w -> members.map { w.over(it.toIntArray(), listOf(null))[0] } }
         val result = DoubleArray(bins * (if (n == 1) 1 else 1 + n * (n + 1) / 2))
         val count = IntArray(bins).also { for (s in vectors.shell) it[s]++ }
@@ -70,6 +69,11 @@ public class SpatialStructureFactor @JvmOverloads constructor(
         for (k in result.indices) result[k] = if (count[k % bins] == 0) Double.NaN else result[k] / count[k % bins]
         return result
     }
+
+    private fun isMember(state: State, index: Int) = state.isParticle(index) && groups.of(state, index) >= 0
+
+    private fun vectors(state: State, particles: Int) =
+        WaveVectors(state.boundary, state.time, largest, bins, WaveVectors.most(MOST_WORK, particles, bins))
 
     private companion object {
         /** Particles times wave vectors: some 20 ms. */

@@ -5,6 +5,7 @@ import daphnis.analysis.insitu.PlaneImages
 import daphnis.analysis.insitu.State
 import kotlin.math.PI
 import kotlin.math.cos
+import kotlin.math.hypot
 import kotlin.math.sin
 import kotlin.math.sqrt
 
@@ -20,10 +21,27 @@ public class StructureFactor(public val largest: Double, public val bins: Int) :
         require(largest > 0 && bins >= 1) { "$bins bins up to $largest; both must be positive" }
     }
 
-    /** Middle of [bin]. */
-    public fun centre(bin: Int): Double = (bin + 0.5) * largest / bins
+    /** Mean |k| of the wave vectors that are taken of [state], by bin; the middle of a bin without any. */
+    public fun waveNumbers(state: State): DoubleArray {
+        val sum = DoubleArray(bins)
+        val count = IntArray(bins)
+        val waves = waves(state)
+        for (row in waves.rows) {
+            for ((j, bin) in row.bins.withIndex()) {
+                sum[bin] += hypot(row.first + j * waves.step, row.along)
+                count[bin]++
+            }
+        }
+        return DoubleArray(bins) { if (count[it] == 0) (it + 0.5) * largest / bins else sum[it] / count[it] }
+    }
 
     override fun of(state: State): DoubleArray {
+        val waves = waves(state)
+        waves.sum()
+        return byBin(waves.rows, (0 until state.population.size).count(state::isParticle))
+    }
+
+    private fun waves(state: State): Waves {
         val images = PlaneImages(state.boundary, state.time)
         val lengthAcross = state.boundary.box.length(images.across)
         val unitAcross = 2 * PI / lengthAcross
@@ -52,8 +70,7 @@ public class StructureFactor(public val largest: Double, public val bins: Int) :
             }
             if (binsOfRow.isNotEmpty()) rows += Row(first, along, binsOfRow.toIntArray())
         }
-        Waves(state, images.across, stride * unitAcross).addTo(rows)
-        return byBin(rows, (0 until state.population.size).count(state::isParticle))
+        return Waves(state, images.across, stride * unitAcross, rows)
     }
 
     private fun byBin(rows: List<Row>, particles: Int): DoubleArray {
@@ -81,7 +98,7 @@ public class StructureFactor(public val largest: Double, public val bins: Int) :
     }
 
     /**
-     * Sums exp(i k·r) of wave vectors in rows, which are [step] apart. In a row it is exp(i k·r) of the first wave
+     * Sums exp(i k·r) of wave vectors in [rows], which are [step] apart. In a row it is exp(i k·r) of the first wave
      * vector times a power of exp(i step x) that is the same in all rows; so cosines and sines are taken once per row
      * and particle. The n-th power, from n products, is wrong by less than n · 3e-16.
      *
@@ -89,7 +106,7 @@ public class StructureFactor(public val largest: Double, public val bins: Int) :
      *
      * @param axis along which a row goes, 0 or 1
      */
-    private class Waves(state: State, axis: Int, private val step: Double) {
+    private class Waves(state: State, axis: Int, val step: Double, val rows: List<Row>) {
         private val onRow = places(state, axis)
         private val beside = places(state, 1 - axis)
 
@@ -98,7 +115,8 @@ public class StructureFactor(public val largest: Double, public val bins: Int) :
             return all.indices.filter(state::isParticle).map { all[it] }.toDoubleArray()
         }
 
-        fun addTo(rows: List<Row>) {
+        /** Adds all particles to the sums of the rows. */
+        fun sum() {
             val width = rows.maxOfOrNull { it.bins.size } ?: return
             val re = Array(BLOCK) { DoubleArray(width) }
             val im = Array(BLOCK) { DoubleArray(width) }

@@ -23,8 +23,9 @@ public class VelocitySpectra(public val largest: Double, public val bins: Int) :
         require(largest > 0 && largest.isFinite() && bins >= 1) { "$bins bins up to $largest; both must be positive" }
     }
 
-    /** Middle of [bin]. */
-    public fun centre(bin: Int): Double = (bin + 0.5) * largest / bins
+    /** Mean |k| of the wave vectors that are taken of [state], by bin; the middle of a bin without any. */
+    public fun waveNumbers(state: State): DoubleArray =
+        vectors(state, (0 until state.population.size).count(state::isParticle)).meanLengths()
 
     override fun of(state: State): DoubleArray {
         val p = state.population
@@ -34,8 +35,7 @@ public class VelocitySpectra(public val largest: Double, public val bins: Int) :
         val momenta = momenta(state, particles)
         val unit = particles.sumOf { i -> momenta.sumOf { it[i] * it[i] } } / d
         if (particles.size < 2 || !(unit > 0)) return result
-        val most = WaveVectors.most(MOST_WORK, particles.size, bins)
-        val vectors = WaveVectors(state.boundary, state.time, largest, bins, most)
+        val vectors = vectors(state, particles.size)
         val sums = WaveSums(state, vectors).over(particles, listOf(null) + momenta)
         val count = IntArray(bins)
         val total = DoubleArray(3 * bins)
@@ -60,6 +60,9 @@ public class VelocitySpectra(public val largest: Double, public val bins: Int) :
         for (k in total.indices) if (count[k % bins] > 0) result[k] = total[k] / count[k % bins]
         return result
     }
+
+    private fun vectors(state: State, particles: Int) =
+        WaveVectors(state.boundary, state.time, largest, bins, WaveVectors.most(MOST_WORK, particles, bins))
 
     private fun momenta(state: State, particles: IntArray): List<DoubleArray> {
         val p = state.population

@@ -14,8 +14,8 @@ import kotlin.math.sqrt
 internal class WaveVectors(
     private val boundary: BoundaryConditions,
     time: Double,
-    largest: Double,
-    shells: Int,
+    private val largest: Double,
+    private val shells: Int,
     most: Int,
 ) {
     private val shear = boundary.shear?.takeIf { boundary.hasImages(it.normalAxis) && boundary.hasImages(it.slideAxis) }
@@ -80,6 +80,17 @@ internal class WaveVectors(
             )
         val own = straight(axis)
         return if (axis == shear?.normalAxis) own - lean * straight(shear.slideAxis) else own
+    }
+
+    /** Mean |k| of the vectors of each shell; its middle for one without any. */
+    fun meanLengths(): DoubleArray {
+        val sum = DoubleArray(shells)
+        val count = IntArray(shells)
+        for (j in 0 until size) {
+            sum[shell[j]] += length(j)
+            count[shell[j]]++
+        }
+        return DoubleArray(shells) { if (count[it] == 0) (it + 0.5) * largest / shells else sum[it] / count[it] }
     }
 
     /** Component along [axis] of vector [j]. */

@@ -69,14 +69,15 @@ public class MeanSquareDisplacement(trajectories: Trajectories) {
      * at least. Longer lags add noise and no knowledge. Null if it is not linear within the available lags.
      *
      * @param from shortest lag of the fit, such as that found for the mean of more coordinates; null to find it
+     * @param least no fit that is found begins before this lag, such as one period of what swings
      */
     @JvmOverloads
-    public fun diffusion(vararg coordinates: Int, from: Double? = null): Diffusion? {
+    public fun diffusion(vararg coordinates: Int, from: Double? = null, least: Double = 0.0): Diffusion? {
         require(coordinates.isNotEmpty()) { "no coordinate" }
         val mean = Array(lag.size) { l ->
             DoubleArray(square[0][l].size) { o -> coordinates.sumOf { square[it][l][o] } / coordinates.size }
         }
-        val first = if (from == null) linearFrom(mean) else lag.indexOfFirst { it >= from }
+        val first = if (from == null) linearFrom(mean, least) else lag.indexOfFirst { it >= from }
         if (first < 0) return null
         val last = last(first)
         if (last >= lag.size || last - first + 1 < FEWEST_LAGS) return null
@@ -94,10 +95,11 @@ public class MeanSquareDisplacement(trajectories: Trajectories) {
     /**
      * The lag 2t of the first t for which the slope from t to 2t equals that from 2t to 4t: within 5 %, or within two
      * standard errors where these are larger, up to 20 %. Memory that remains at t has died out at 2t. Ballistic flight
-     * never passes, because its slope doubles with the lag. −1 for none.
+     * never passes, because its slope doubles with the lag. Not before the lag [least]. −1 for none.
      */
-    private fun linearFrom(mean: Array<DoubleArray>): Int {
+    private fun linearFrom(mean: Array<DoubleArray>, least: Double): Int {
         var t = 1
+        while (2 * t <= lag.size && lag[2 * t - 1] < least * (1 - ROUNDING)) t++
         while (4 * t <= lag.size) {
             val late = rise(mean, 2 * t, 4 * t)
             val early = rise(mean, t, 2 * t)
@@ -137,6 +139,7 @@ public class MeanSquareDisplacement(trajectories: Trajectories) {
         private const val FEWEST_LAGS = 3
         private const val LAGS_IN_TIME = 16
         private const val SAME_SLOPE = 0.05
+        private const val ROUNDING = 1e-9
         private const val MOST_NOISE = 0.2
     }
 }

@@ -13,7 +13,7 @@ import kotlin.math.sqrt
  *
  * @param massRatio μ, mass of the moon over that of the planet
  * @param distance from the moon's guiding centre to the ring, radially outward
- * @param semiMajorAxis of the moon, same unit of length
+ * @param semiMajorAxis a with a³ = GM/Ω² of the [frequencies], same unit of length
  * @param moonE amplitude of the moon's epicycle, a length: its eccentricity times its semi-major axis
  * @param frequencies of orbits there; their shear and κ count, the unit of time does not
  */

@@ -133,7 +133,10 @@ class SpatialStructureFactorTest {
         assertTrue(one[0].isNaN() && one.drop(1).all { Math.abs(it - 1) < 1e-12 })
         assertTrue(factor.of(State(p, Periodic(box), 0.0, firstBody = 0)).all { it.isNaN() })
         assertTrue(factor.of(State(p, BoundaryConditions.open(), 0.0)).all { it.isNaN() })
-        assertEquals(listOf(0.25, 0.75, 1.25, 1.75), List(4) { factor.centre(it) })
+        // Waves of π/6 along an axis, along two and along three: half of 6, 12 and 8.
+        val cube = State(p, Periodic(Box.centred(12.0, 12.0, 12.0)), 0.0)
+        val mean = PI / 6 * (3 + 6 * sqrt(2.0) + 4 * sqrt(3.0)) / 13
+        assertArrayEquals(doubleArrayOf(0.25, mean), SpatialStructureFactor(1.0, 2).waveNumbers(cube), 1e-12)
         assertThrows(IllegalArgumentException::class.java) { SpatialStructureFactor(Double.NaN, 4) }
         assertThrows(IllegalArgumentException::class.java) { SpatialStructureFactor(2.0, 0) }
     }

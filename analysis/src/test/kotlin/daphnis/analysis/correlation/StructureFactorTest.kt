@@ -16,6 +16,7 @@ import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import kotlin.math.PI
 import kotlin.math.cos
+import kotlin.math.hypot
 import kotlin.math.sin
 import kotlin.math.sqrt
 
@@ -105,6 +106,19 @@ class StructureFactorTest {
     }
 
     @Test
+    fun `a bin stands at the mean of the wave numbers in it, that of one wave at its own`() {
+        // 10 wide and 12 long: the longest waves have π/5 and π/6.
+        val state = uniform(3, Periodic(box))
+        val found = StructureFactor(0.8, 8).waveNumbers(state)
+        for ((bin, k) in listOf(0 to 0.05, 4 to 0.45, 5 to PI / 6, 6 to PI / 5, 7 to 0.75)) {
+            assertEquals(k, found[bin], 1e-12)
+        }
+        // Both, with those across.
+        val mean = (PI / 6 + PI / 5 + 2 * hypot(PI / 6, PI / 5)) / 4
+        assertEquals(mean, StructureFactor(0.82, 1).waveNumbers(state)[0], 1e-12)
+    }
+
+    @Test
     fun `one particle has 1 for each wave vector, bodies do not count, and there is a bin and a largest`() {
         val p = uniform(3, Periodic(box)).population
         val factor = StructureFactor(2.0, 4)
@@ -115,7 +129,6 @@ class StructureFactorTest {
             if (bodies == 1) for (bin in 1..3) assertTrue(Math.abs(s[bin] - 1) < 1e-12)
         }
         assertTrue(factor.of(State(p, Periodic(box), 0.0, firstBody = 0)).all { it.isNaN() })
-        assertEquals(listOf(0.25, 0.75, 1.25, 1.75), List(4) { factor.centre(it) })
         assertEquals(listOf(2.0, 4), listOf(factor.largest, factor.bins))
         assertThrows(IllegalArgumentException::class.java) { StructureFactor(0.0, 4) }
         assertThrows(IllegalArgumentException::class.java) { StructureFactor(2.0, 0) }

@@ -12,6 +12,7 @@ import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import kotlin.math.PI
 import kotlin.math.sin
+import kotlin.math.sqrt
 
 class VelocitySpectraTest {
     private val box = Periodic(Box.centred(6.0, 6.0, 6.0))
@@ -59,7 +60,9 @@ class VelocitySpectraTest {
         val spectra = VelocitySpectra(3.0, 2)
         assertTrue(spectra.of(uniform(10, box)).all { it.isNaN() })
         assertTrue(spectra.of(uniform(1, box) { it.nextGaussian() }).all { it.isNaN() })
-        assertEquals(0.75, spectra.centre(0))
+        // Three waves of π/3 and six of √2 π/3.
+        assertEquals(PI / 3 * (3 + 6 * sqrt(2.0)) / 9, spectra.waveNumbers(uniform(10, box))[0], 1e-12)
+        assertEquals(listOf(0.25), VelocitySpectra(0.5, 1).waveNumbers(uniform(10, box)).asList())
         assertThrows(IllegalArgumentException::class.java) { VelocitySpectra(-1.0, 2) }
     }
 }

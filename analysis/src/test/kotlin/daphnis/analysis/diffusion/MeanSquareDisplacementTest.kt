@@ -131,6 +131,14 @@ class MeanSquareDisplacementTest {
     }
 
     @Test
+    fun `a fit begins no earlier than the least lag, and there is none where that leaves no room`() {
+        val squares = MeanSquareDisplacement(walk(300, 64, 0.0, SeededRandom(4)))
+        val begins = listOf(0.0, 5.5, 8.0).map { squares.diffusion(0, 1, 2, least = it)!!.from }
+        assertEquals(listOf(2.0, 6.0, 8.0), begins)
+        assertNull(squares.diffusion(0, 1, 2, least = 20.0))
+    }
+
+    @Test
     fun `a walk through faces that slide has the displacements of one through faces that stand`() {
         val still = MeanSquareDisplacement(walk(60, 64, 0.0, SeededRandom(9)))
         for (rate in listOf(0.4, -1.3)) {

@@ -42,9 +42,7 @@ internal class BoxNumbers(private val study: Study) {
             if (isOld) {
                 "around the boundary's straight flow: transport.csv is of an older version"
             } else {
-                WallDrive.remark(
-                    study,
-                )
+                WallDrive.remark(study).ifEmpty { bulk.byMass.removePrefix(", ") }
             },
         )
         val further = SpinNumbers(study, rows, null)

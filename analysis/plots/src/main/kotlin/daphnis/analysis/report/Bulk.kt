@@ -19,6 +19,9 @@ internal class Bulk(state: State, input: AnalysisInput) {
 
     /** The mean radius, or 1 without particles: something to choose bins by. */
     val typicalRadius: Double = if (meanRadius.isNaN()) 1.0 else meanRadius
+
+    /** What to say of averages over particles that are weighted by mass; nothing of particles of one mass. */
+    val byMass: String = if (indices.any { population.mass[it] != population.mass[indices[0]] }) ", by mass" else ""
     val largestRadius: Double = indices.maxOfOrNull { population.radius[it] } ?: 1.0
 
     /** Diameter of the smallest, 0 without particles. */

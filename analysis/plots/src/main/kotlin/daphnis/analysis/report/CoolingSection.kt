@@ -52,7 +52,7 @@ internal class CoolingSection(private val study: Study) : Section {
         val reach = minOf(MOST_WAVES * 2 * Math.PI / longest, 2 * Math.PI / study.bulk.typicalRadius)
         val spectra = VelocitySpectra(maxOf(reach, 2.5 * 2 * Math.PI / shortest), BINS)
         val all = spectra.of(last)
-        val x = DoubleArray(BINS) { spectra.centre(it) }
+        val x = spectra.waveNumbers(last)
         val curves = listOf("S_⊥" to 0, "S_∥" to 1, "S" to 2).map { (name, k) ->
             Curve(name, x, all.copyOfRange(k * BINS, (k + 1) * BINS))
         }
@@ -69,7 +69,8 @@ internal class CoolingSection(private val study: Study) : Section {
             ""
         } else {
             " The upright line is k_c = 2π/L_c, below which vortices grow beside the thermal speed; L_c is " +
-                "${UnitNames.amount(ReportText.short(critical), study.units.length)} (Garzó 2005)."
+                "${UnitNames.amount(ReportText.short(critical), study.units.length)} (Garzó 2005)" +
+                if (critical > longest) ", more than this box is long: none grow in it." else "."
         }
         study.draw(page, figure, "velocity-spectra", "spectra of momentum and density", SPECTRA + line)
         val columns = listOf(
@@ -136,7 +137,9 @@ internal class CoolingSection(private val study: Study) : Section {
         const val GAP = 0.1
         const val FEWEST = 30
         const val BINS = 40
-        const val MOST_WAVES = 20
+
+        /** In the longest edge. Bins then have no edge at a wave number of a cube. */
+        const val MOST_WAVES = 21
         const val SPECTRA =
             "Spectra of the last state: S_⊥ of vorticity, S_∥ of compression, each over what velocities " +
                 "without correlation have, and the structure factor S of the density."

@@ -69,7 +69,7 @@ internal class DiffusionSection(private val study: Study) : Section {
                 row(
                     "guiding_centre_diffusion",
                     "self-diffusion of guiding centres D_X",
-                    d.diffusion(0),
+                    ofGuidingCentres(d),
                     "r² Ω",
                     meanRadius * meanRadius * omega,
                 ),
@@ -90,6 +90,9 @@ internal class DiffusionSection(private val study: Study) : Section {
         val whole = if (all.size == 1) null else row("self_diffusion", "self-diffusion D", mean, units.viscosity, 1.0)
         return (listOf(whole, infinite(mean)) + along).filterNotNull()
     }
+
+    /** What an epicycle does within an orbit is no diffusion. */
+    private fun ofGuidingCentres(d: MeanSquareDisplacement) = d.diffusion(0, least = 2 * PI / omega!!)
 
     /** D without the images of a periodic cube; null where that is not known. */
     private fun infinite(mean: Diffusion): NumberRow? {
@@ -119,7 +122,9 @@ internal class DiffusionSection(private val study: Study) : Section {
         if (d == null) return null
         val orbit = if (omega != null) 2 * PI / omega else 1.0
         val time = study.scale.timeName
-        val lags = "slope over lags from ${ReportText.short(d.from / orbit)} to ${ReportText.short(d.to / orbit)} $time"
+        val grows = if (study.last.boundary.space.isPlane && omega == null) OF_DISCS else ""
+        val lags =
+            "slope over lags from ${ReportText.short(d.from / orbit)} to ${ReportText.short(d.to / orbit)} $time$grows"
         val unknown = if (d.error.isNaN()) Unknown.SHORT_TIME else null
         return NumberRow(what, d.value / scale, d.error / scale, unit, null, note ?: lags, unknown, key)
     }
@@ -148,13 +153,20 @@ internal class DiffusionSection(private val study: Study) : Section {
     }
 
     private fun caption(d: MeanSquareDisplacement): String {
-        val found = d.diffusion(*(if (omega != null) intArrayOf(0) else coordinates.indices.toList().toIntArray()))
+        val found =
+            if (omega != null) ofGuidingCentres(d) else d.diffusion(*coordinates.indices.toList().toIntArray())
         val said = if (found == null) {
             "They do not become linear in time within these lags: no coefficient."
         } else {
             "D is half the slope where they are linear."
         }
-        return if (omega != null) "X is the guiding centre; x swings about it once an orbit. $said" else said
+        return if (omega !=
+            null
+        ) {
+            "X is the guiding centre; x swings about it once an orbit, which states at whole orbits do not show. $said"
+        } else {
+            said
+        }
     }
 
     private fun begun(): Trajectories? {
@@ -182,6 +194,9 @@ internal class DiffusionSection(private val study: Study) : Section {
             "± is from blocks of time of all particles together. So particles may move together; what is taken as " +
                 "independent is their motion at times that are further apart than the longest lag of the fit. There " +
                 "is no ± where the time is shorter than ${MeanSquareDisplacement.FEWEST_WINDOWS + 1} times that lag."
+
+        /** Alder & Wainwright 1970, Phys. Rev. A 1, 18. */
+        const val OF_DISCS = "; in two dimensions it grows with the logarithm of the lag"
 
         /** Bounds on memory: 61 MB, and on time: seconds. */
         const val MOST_PARTICLES = 20_000

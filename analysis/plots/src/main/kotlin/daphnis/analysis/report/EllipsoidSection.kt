@@ -17,7 +17,9 @@ internal class EllipsoidSection(private val study: Study) : Section {
     override val over = study.overMotion
     override val applies = study.input.hasVelocities
     override val leftOut get() =
-        study.tooFew() ?: if (e.dispersion > 0) null else "no particle moves against the mean flow"
+        study.tooFew() ?: WallDrive.remark(study).ifEmpty {
+            if (e.dispersion > 0) null else "no particle moves against the mean flow"
+        }
 
     override fun write(page: ReportPage) {
         val isOfDiscs = study.last.boundary.space.isPlane
@@ -39,7 +41,7 @@ internal class EllipsoidSection(private val study: Study) : Section {
             ),
             "velocity-ellipsoid",
             if (isOfDiscs) "the velocity ellipse" else "sections of the velocity ellipsoid",
-            "${if (isOfDiscs) "The velocity ellipse" else "Sections of the velocity ellipsoid"}, one standard deviation; ${direction()}.",
+            "${if (isOfDiscs) "The velocity ellipse" else "Sections of the velocity ellipsoid"}, one standard deviation${study.bulk.byMass}; ${direction()}.",
             HEIGHT,
         )
     }
@@ -47,7 +49,7 @@ internal class EllipsoidSection(private val study: Study) : Section {
     /** Of the long axis in the plane, if there is one. */
     private fun direction(): String {
         if (!AxesInPlane.isSeen(study.motion, study.bulk.particles)) {
-            return "in the plane its axes are equal within their errors, so they have no direction"
+            return "in the plane its axes are no more unequal than chance makes them, so they have no direction"
         }
         val degrees = study.motion.orientation * Math.toDegrees(1.0)
         // The same number as in the table, where it stands, and judged as there.

@@ -45,8 +45,7 @@ internal class FluidNumbers(private val study: Study) : Section {
     }
 
     /** Neither begun as a crystal nor as dense as one: a crystal's S(k) at small k is no compressibility. */
-    private fun isFluid() = study.physics?.placement !is PlacementSpec.Lattice &&
-        filling < (if (isPlane) HardDiscs.FREEZING else HardSpheres.FREEZING)
+    private fun isFluid() = study.physics?.placement !is PlacementSpec.Lattice && !study.mayFreeze
 
     private fun references(): Map<String, Reference> {
         if (filling > (if (isPlane) MOST_OF_DISCS else MOST_OF_SPHERES)) return emptyMap()

@@ -28,15 +28,16 @@ internal class Judgement(
     val isDrifting by lazy { isChanging || found.any { it.isDriftingAmong(histories.size) } }
 
     /** Numbers that drift, each by itself: those of a main quantity that does. */
-    private val drifting by lazy {
+    private val drifting: Set<String?> by lazy {
         histories.indices.filter { found[it].verdict == Verdict.DRIFTING }.flatMap { histories[it].keys }.toSet()
     }
 
     /** Whether none is seen to drift, but one has too few rows to tell. */
     val isUnjudged by lazy { !isDrifting && found.any { it.verdict == Verdict.TOO_SHORT } }
 
-    /** The standard error of [average], NaN where the run drifts. */
-    fun error(average: BlockAverage): Double = if (isDrifting) Double.NaN else average.error
+    /** The standard error of [average], NaN where the run or the number with the [key] drifts, which it is part of. */
+    fun error(average: BlockAverage, key: String? = null): Double =
+        if (isDrifting || key in drifting) Double.NaN else average.error
 
     /** [errors] of averages, NaN where the run drifts. */
     fun errors(errors: DoubleArray): DoubleArray = if (isDrifting) DoubleArray(errors.size) { Double.NaN } else errors

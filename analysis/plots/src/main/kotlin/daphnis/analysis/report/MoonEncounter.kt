@@ -32,7 +32,8 @@ internal object MoonEncounter {
         val ratio = moon.massRatio ?: moon.mass?.let { it * constant / planet } ?: return null
         val frameAxis = FrameSetup.distance(scenario, orbits) ?: return null
         val distance = (box.lowerX + box.upperX) / 2 - moon.x
-        return if (distance == 0.0) null else Encounter(distance, ratio, frameAxis + moon.x, moon.e, orbits)
+        // The moon pulls by μ GM where orbits take 2π/Ω: μ a³ is μ GM/Ω² with the a of the frame.
+        return if (distance == 0.0) null else Encounter(distance, ratio, frameAxis, moon.e, orbits)
     }
 
     /** @param period orbits between two passages, of the run; null where it is not known */

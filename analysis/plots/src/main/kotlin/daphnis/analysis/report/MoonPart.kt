@@ -53,7 +53,8 @@ internal class MoonPart private constructor(
         val figure = Chart.lines(curves, azimuth, label, horizontal = e.amplitude)
         val caption =
             "Forced eccentricity |⟨e·exp(iφ)⟩| along the ring; dashed: the impulse of one passage of a moon on " +
-                "a circle, 2.2396 μ a³/Δa², for the middle of the patch."
+                "a circle, 2.2396 μ a³/Δa², for the middle of the patch. The box repeats along the orbit: what is " +
+                "ahead of the moon may have passed it before, what is far behind not yet."
         study.draw(page, figure, "forced-eccentricity", "forced eccentricity along the ring", caption)
         page.numbers(MoonEncounter.rows(e, last.boundary.box, units, period(moon)))
         if (moon.inclination > 0) {

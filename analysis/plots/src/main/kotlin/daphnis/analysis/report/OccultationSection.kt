@@ -9,6 +9,7 @@ import daphnis.analysis.statistics.BlockAverage
 import daphnis.analysis.table.Column
 import daphnis.analysis.table.Table
 import daphnis.analysis.table.UnitNames
+import kotlin.math.PI
 
 /** A part of [OccultationSection]. */
 internal interface LightPart : Part {
@@ -72,7 +73,10 @@ internal class OccultationSection(private val study: Study) : Section {
         val rows = NumberRows()
         rows.average(null, "rays that come through at $rays", transmission, "")
         depth(rows, transmission)
-        rows.exact(null, "geometric optical depth", study.bulk.opticalDepth, "")
+        val radii = study.last.population.radius
+        val hasBodies = study.last.population.size > study.bulk.particles
+        val note = if (hasBodies) "bodies included, which block light too" else ""
+        rows.exact(null, "geometric optical depth", radii.sumOf { PI * it * it } / study.last.area, "", note)
         return rows.list()
     }
 
@@ -107,8 +111,8 @@ internal class OccultationSection(private val study: Study) : Section {
         val label = UnitNames.axis(if (study.isRing) "radial position x" else "x", length)
         val figure = Chart.lines(listOf(Curve("last state", x, last), Curve("mean", x, mean)), label, "transmission")
         val caption = "Synthetic occultation: share of the light that comes through along y at each x, from rays " +
-            "through the particles and their images at $rays, which is the direction in the plane in which they " +
-            "climb, from x toward y."
+            "through the particles, bodies and their images at $rays, which is the direction in the plane in which " +
+            "they climb, from x toward y."
         study.draw(page, figure, "occultation", "synthetic occultation", caption)
         Table(
             "occultation",

@@ -4,7 +4,6 @@ import daphnis.analysis.correlation.PairCorrelation
 import daphnis.analysis.insitu.Averages
 import daphnis.analysis.insitu.State
 import daphnis.analysis.table.UnitNames
-import kotlin.math.abs
 
 /** The pair correlation, in space or in the plane. */
 internal class PairPart(private val study: Study) : Part {
@@ -35,7 +34,7 @@ internal class PairPart(private val study: Study) : Part {
     private fun farAway(): String {
         if (averages.size == 0) return ""
         val mean = (FAR until BINS).map { averages.average(it).mean }.average()
-        if (!(abs(mean - 1) > UNEVEN)) return ""
+        if (!(mean - 1 > UNEVEN)) return ""
         val far = ReportText.short(mean)
         return " At the longest of these distances g is about $far, not 1, since the density varies over longer " +
             "distances than these: pairs are of particles, and more of them are where it is high."
@@ -57,7 +56,7 @@ internal class PairPart(private val study: Study) : Part {
         const val RADII = 8.0
         const val BINS = 80
 
-        /** The last eighth of the bins, and by how much g is to be off there to be explained. */
+        /** The last eighth of the bins, and by how much g is to be above 1 there to be explained. */
         const val FAR = 70
         const val UNEVEN = 0.05
         const val IN_PLANE = "Pair correlation in the x-y plane: pairs at a distance seen along z, over those of " +

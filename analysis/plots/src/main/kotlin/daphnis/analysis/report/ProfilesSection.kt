@@ -77,9 +77,10 @@ internal class ProfilesSection(private val study: Study) : Section {
             DrivenWalls.isUnderGravity(study) -> "surface_density" to "Surface density along x."
             else -> "filling_factor" to "${if (isOfDiscs) "Area fraction" else "Filling factor"} along x."
         }
-        drawn(page, radial, across, column, radialName, caption)
+        val planes = if (study.mayFreeze) PLANES else ""
+        drawn(page, radial, across, column, radialName, caption + planes)
         if (overHeight == null) return
-        drawn(page, vertical, overHeight, "filling_factor", "height z", "Filling factor over height.")
+        drawn(page, vertical, overHeight, "filling_factor", "height z", "Filling factor over height.$planes")
     }
 
     /** Writes the table of a profile. */
@@ -91,7 +92,8 @@ internal class ProfilesSection(private val study: Study) : Section {
             val all = of.column(c)
             val unit = unitOf(column, of.profile.axis)
             columns += Column(column, unit, DoubleArray(all.size) { all[it].mean })
-            columns += Column("${column}_error", unit, DoubleArray(all.size) { study.judgement.error(all[it]) })
+            val key = KEYS[column]
+            columns += Column("${column}_error", unit, DoubleArray(all.size) { study.judgement.error(all[it], key) })
         }
         return Table("profile-$name", columns).also { it.write(study.tables) }
     }
@@ -119,7 +121,9 @@ internal class ProfilesSection(private val study: Study) : Section {
                 name,
                 across.centres(),
                 DoubleArray(all.size) { sqrt(all[it].mean) / scale.speed },
-                DoubleArray(all.size) { study.judgement.error(all[it]) / (2 * sqrt(all[it].mean)) / scale.speed },
+                DoubleArray(all.size) {
+                    study.judgement.error(all[it], "sigma_${"xyz"[c]}") / (2 * sqrt(all[it].mean)) / scale.speed
+                },
             )
         }
         val label = UnitNames.axis("velocity dispersion", scale.speedName)
@@ -134,13 +138,15 @@ internal class ProfilesSection(private val study: Study) : Section {
     private fun temperature(page: ReportPage) {
         val first = Profile.COLUMNS.indexOf("c_xx")
         val parts = (0 until 3).map { vertical.column(first + it) }
+        val count = vertical.column(Profile.COLUMNS.indexOf("count"))
+        val isSeen = BooleanArray(count.size) { count[it].mean * vertical.averages.size >= FEWEST_IN_BIN }
         val unit = study.scale.speed * study.scale.speed
         val curves = listOf("⟨c_x²⟩", "⟨c_y²⟩", "⟨c_z²⟩").mapIndexed { c, name ->
             val all = parts[c]
             Curve(
                 name,
                 vertical.centres(),
-                DoubleArray(all.size) { all[it].mean / unit },
+                DoubleArray(all.size) { if (isSeen[it]) all[it].mean / unit else Double.NaN },
                 DoubleArray(all.size) { study.judgement.error(all[it]) / unit },
             )
         }
@@ -178,13 +184,22 @@ internal class ProfilesSection(private val study: Study) : Section {
 
     private fun isOfMotion(column: String) = column.startsWith("mean_v") || column.startsWith("c_")
 
-    private companion object {
-        const val MOST_BINS = 60
-        const val STREAMS =
+    companion object {
+        /** Of what is as dense as a crystal, behind a caption of densities over bins. */
+        const val PLANES = " In a crystal these bins beat with its planes, which makes waves that are not there."
+        private const val MOST_BINS = 60
+
+        /** Particles of all states together below which a mean square is noise. */
+        private const val FEWEST_IN_BIN = 50
+        private const val STREAMS =
             " Where grains stream through one another, as those that rise from a floor and those that fall " +
                 "back, ⟨c_z²⟩ is no temperature."
 
         /** Columns that are over the volume or the area of bins of the box. */
-        val OF_BOX = setOf("surface_density", "optical_depth", "filling_factor")
+        private val OF_BOX = setOf("surface_density", "optical_depth", "filling_factor")
+
+        /** The numbers of the report that columns are parts of. */
+        private val KEYS = mapOf("c_xx" to "sigma_x", "c_yy" to "sigma_y", "c_zz" to "sigma_z") +
+            mapOf("filling_factor" to "midplane_filling_factor")
     }
 }

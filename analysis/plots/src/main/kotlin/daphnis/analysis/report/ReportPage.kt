@@ -128,7 +128,8 @@ $body</main></body></html>
 
         private const val COMPARED =
             "References are for runs that agree in all parameters, each to the bound that stands behind it. " +
-                "σ is the ± of this run alone; a difference is within or beyond what the bound and three of these allow."
+                "σ is the ± of this run alone; a difference is within or beyond what the bound and three of these " +
+                "allow. A number without ± has none."
 
         /** [text] as it stands in HTML, with its lines; control characters are shown. */
         fun escape(text: String): String = text.split('\n').joinToString("\n", transform = ::oneLine)

@@ -42,7 +42,7 @@ internal class RingNumbers(private val study: Study, private val orbits: Orbital
             "velocity dispersion c",
             motion.dispersion per speed,
             "r Ω",
-            "around the mean flow by radius, in slabs",
+            "around the mean flow by radius, in slabs${bulk.byMass}" + if (isShared()) SHARED else "",
         )
         rows.average(
             "velocity_dispersion_thermal",
@@ -56,7 +56,7 @@ internal class RingNumbers(private val study: Study, private val orbits: Orbital
             "velocity dispersion, total",
             motion.totalDispersion per speed,
             "r Ω",
-            "around the orbital shear, with waves",
+            "around the orbital shear, with waves${bulk.byMass}",
         )
         for (axis in listOf("x", "y", "z")) {
             rows.average("sigma_$axis", "σ_$axis", motion.moment("$axis$axis").root() per speed, "r Ω")
@@ -68,12 +68,15 @@ internal class RingNumbers(private val study: Study, private val orbits: Orbital
             "orientation of the velocity ellipsoid",
             if (isTurned) motion.orientation per Math.toRadians(1.0) else none,
             "degrees",
-            if (isTurned) "from the radial direction toward the orbit" else "none: its axes are equal within errors",
+            if (isTurned) "from the radial direction toward the orbit" else "none: its axes differ as by chance",
         )
     }
 
+    /** Whether most of the motion around the mean flow by radius is that of whole neighbourhoods. */
+    private fun isShared() = motion.thermalDispersion.mean < motion.dispersion.mean * THERMAL_PART
+
     private fun heights() {
-        rows.average("scale_height", "scale height H", motion.scaleHeight per r, "r")
+        rows.average("scale_height", "scale height H", motion.scaleHeight per r, "r", bulk.byMass.removePrefix(", "))
         rows.average("midplane_filling_factor", "filling factor in the middle plane", motion.middlePlane per 1.0, "")
     }
 
@@ -132,12 +135,18 @@ internal class RingNumbers(private val study: Study, private val orbits: Orbital
         )
         rows.exact("hill_ratio", "r_h, mutual Hill radius over the distance in contact", bulk.hillRatio, "")
         val wakes = bulk.viscosityOfWakes / (r * r * omega)
-        rows.exact("viscosity_of_wakes", "viscosity of wakes by Daisaka et al.", wakes, "r² Ω", WAKES)
+        // To be held against the total, which is not known without these rows.
+        if (motion.transport != null) {
+            rows.exact("viscosity_of_wakes", "viscosity of wakes by Daisaka et al.", wakes, "r² Ω", WAKES)
+        }
     }
 
     private infix fun BlockAverage.per(unit: Double) = this * (1 / unit)
 
     private companion object {
-        const val WAKES = "26 r_h⁵ G² Σ²/Ω³, for r_h from 0.6 on where there are wakes"
+        /** Part of the dispersion below which the thermal one is the lesser part of its square. */
+        const val THERMAL_PART = 0.7
+        const val SHARED = "; most of it is motion that neighbours share, as in waves"
+        const val WAKES = "26 r_h⁵ G² Σ²/Ω³, for r_h from 0.7 on where there are wakes"
     }
 }

@@ -22,12 +22,10 @@ internal class ScatteringPart(private val study: Study, private val trajectories
         if (study.bulk.fillingFactor < LEAST_FILLED) return@lazy 2 * Math.PI / diameter
         val factor = SpatialStructureFactor(PEAKS * 2 * Math.PI / diameter, BINS)
         val s = factor.of(study.last)
-        val from = BINS * 3 / 8
-        factor.centre(
-            (from until BINS - 1).maxBy {
-                (s[it - 1] + s[it] + s[it + 1]).let { v -> if (v.isNaN()) 0.0 else v }
-            },
-        )
+        val peak = (BINS * 3 / 8 until BINS - 1).maxBy {
+            (s[it - 1] + s[it] + s[it + 1]).let { v -> if (v.isNaN()) 0.0 else v }
+        }
+        factor.waveNumbers(study.last)[peak]
     }
 
     fun write(page: ReportPage) {
@@ -56,7 +54,7 @@ internal class ScatteringPart(private val study: Study, private val trajectories
                 ),
                 "self-scattering",
                 "self-intermediate scattering function",
-                "Self-intermediate scattering function at k = $k, near the peak of S(k).$falls $bars",
+                "Self-intermediate scattering function at k = $k, near the peak of S(k) of the last state.$falls $bars",
             )
         }
         val parameter = Curve("α₂", found.lag, found.nonGaussian, study.judgement.errors(found.nonGaussianError))

@@ -51,7 +51,7 @@ internal class Sections(private val study: Study, list: List<(Study) -> Section>
             section.write(page)
         }
         if (missing.isEmpty()) return
-        page.section("Left out", "Sections that would mean nothing here.")
+        page.section("Left out", "Sections that are not here, and why.")
         page.list(missing)
     }
 

@@ -23,16 +23,16 @@ internal class SteadinessText(
     private val growing: String? = null,
 ) {
     /**
-     * One sentence for each of the [histories] that drifts, with what to do about it in the last of those for which that
+     * One sentence for each of the [histories] that drifts, which takes the ± of the run if one of them does, with what to do about it in the last of those for which that
      * is the same; then one for those that do not, with the largest drift that may have been missed, one for those
      * whose fluctuations may hide a large one, and one for those with too few rows to tell. Of a conserved quantity no
      * drift is missed.
      */
     fun of(histories: List<History>): List<String> {
         val found = histories.map { it to it.steadiness(from) }.groupBy { it.second.verdict }
-        val drifting = found[Verdict.DRIFTING].orEmpty().map { (history, drift) ->
-            drift(history, drift, histories.size) to advice(history)
-        }
+        val drifts = found[Verdict.DRIFTING].orEmpty()
+        val isRun = drifts.any { it.second.isDriftingAmong(histories.size) }
+        val drifting = drifts.map { (history, drift) -> drift(history, drift, isRun) to advice(history) }
         val lines = drifting.mapIndexedTo(ArrayList()) { k, (said, advice) ->
             if (drifting.drop(k + 1).any { it.second == advice }) "$said." else "$said; $advice."
         }
@@ -76,14 +76,14 @@ internal class SteadinessText(
         }
     }
 
-    private fun drift(history: History, found: Steadiness, judged: Int): String {
+    private fun drift(history: History, found: Steadiness, isRun: Boolean): String {
         val first = history.first(from)
         val part = found.change / average(history)
         val what = if (part < 0) "fell" else "rose"
         val size = abs(part)
         val much = if (size < 1) "${percent(size)} of its average" else "${ReportText.short(size)} times its average"
         val each = percent(size * duration / (history.times.last() - history.times[first]))
-        val lost = if (found.isDriftingAmong(judged)) "no ± is given" else "what goes with it has no ±"
+        val lost = if (isRun) "no ± is given" else "what goes with it has no ±"
         return "Not steady: ${history.name} $what by $much over the time averaged " +
             "($each per $unit), more than its fluctuations explain, so $lost"
     }

@@ -38,16 +38,25 @@ internal class StreamlineSection(private val study: Study) : Section {
         table("streamlines-guiding-centre", lines)
         draw(page, lines)
         moon?.write(page, lines)
-        val forced = (0 until slabs).map { lines.forcedE[lines.at(it, groups / 2)] }.filter { !it.isNaN() }
+        val forced = (0 until slabs).map { lines.forcedEUnbiased[lines.at(it, groups / 2)] }.filter { !it.isNaN() }
         if (forced.isEmpty()) return
         val largest = ReportText.short(lines.q.filter { !it.isNaN() }.maxOrNull() ?: Double.NaN)
-        val middle = "${ReportText.short(forced.average())} ${units.length}"
         page.paragraph(
-            "$slabs slabs of azimuth, $groups groups of equal count in each, sorted by guiding centre. Forced " +
-                "eccentricity of the middle streamline $middle on average; largest q = $largest (streamlines cross " +
-                "where q reaches 1; the scatter of few particles raises it). " +
+            "$slabs slabs of azimuth, $groups groups of equal count in each, sorted by guiding centre. " +
+                "${middle(forced)} Largest q = $largest (streamlines cross where q reaches 1; the scatter of few " +
+                "particles raises it). " +
                 "Tables: streamlines-x.csv, streamlines-guiding-centre.csv.",
         )
+    }
+
+    /** Of the middle streamline, by slab, without what random epicycles make. */
+    private fun middle(forced: List<Double>): String {
+        // Of noise alone two thirds are below what it is expected to be.
+        if (forced.count { it == 0.0 } > forced.size * MOST_NOISE) {
+            return "The middle streamline has no forced eccentricity beyond what as many random epicycles make."
+        }
+        val mean = "${ReportText.short(forced.average())} ${units.length}"
+        return "Forced eccentricity a·e of the middle streamline, without that of random epicycles: $mean on average."
     }
 
     private fun draw(page: ReportPage, lines: Streamlines) {
@@ -126,6 +135,9 @@ internal class StreamlineSection(private val study: Study) : Section {
         const val PARTICLES_PER_GROUP = 12.0
         const val MOST_LINES = 24
         const val HEIGHT = 420
+
+        /** Part of the slabs without forced eccentricity beyond which all of it is taken for noise. */
+        const val MOST_NOISE = 0.25
 
         /** Part of the streamlines below which there is no picture of them. */
         const val LEAST_PART = 0.5

@@ -5,8 +5,6 @@ import daphnis.analysis.correlation.StructureFactor
 import daphnis.analysis.insitu.Averages
 import daphnis.analysis.insitu.State
 import daphnis.analysis.plot.Curve
-import daphnis.analysis.theory.HardDiscs
-import daphnis.analysis.theory.HardSpheres
 import daphnis.analysis.theory.PercusYevick
 
 /** The structure factor: of waves in space in a box that repeats along all axes, else of waves in the plane. */
@@ -15,8 +13,9 @@ internal class StructureFactorPart(private val study: Study, private val groups:
         (0 until study.last.dimensions).all { axis -> study.boxes.boundaries.all { it.hasImages(axis) } }
     private val largest = if (isSpatial) farthestInSpace() else farthest()
     private val spatial = if (isSpatial) SpatialStructureFactor(largest, BINS, NamedGroups.of(groups)) else null
-    private val averages = Averages(spatial ?: StructureFactor(largest, BINS))
-    private val x = DoubleArray(BINS) { (it + 0.5) * largest / BINS }
+    private val plane = StructureFactor(largest, BINS)
+    private val averages = Averages(spatial ?: plane)
+    private val x by lazy { spatial?.waveNumbers(study.last) ?: plane.waveNumbers(study.last) }
 
     private fun farthest(): Double {
         val box = study.boxes.mean
@@ -45,8 +44,7 @@ internal class StructureFactorPart(private val study: Study, private val groups:
         val mark = if (critical == null) "" else " The upright line is Toomre's critical wavelength."
         val theory = theory()
         val known = if (theory == null) "" else " $BESIDE"
-        val freezing = if (study.last.dimensions == 2) HardDiscs.FREEZING else HardSpheres.FREEZING
-        val crystal = if (isSpatial && study.bulk.fillingFactor >= freezing) " $CRYSTAL" else ""
+        val crystal = if (isSpatial && study.mayFreeze) " $CRYSTAL" else ""
         curve.write(study, page, x, averages, caption + mark + known + crystal, critical, theory)
         val s = spatial ?: return
         groups?.write(study, page, "structure-factor", x, averages, "S", "wave number |k|" to unit, "k", PARTIAL) {
@@ -77,7 +75,8 @@ internal class StructureFactorPart(private val study: Study, private val groups:
         const val PEAKS = 2 * Math.PI
         const val MOST_LISTED = 2e6
         const val BESIDE = "Percus & Yevick's S(k), with the diameter of Verlet & Weis 1972, stands beside it."
-        const val CRYSTAL = "Of many particles some wave vectors are taken, so peaks of a crystal may be missing."
+        const val CRYSTAL = "Of many particles some wave vectors are taken, so peaks of a crystal may be missing, " +
+            "and each is lower, the more other vectors are in its bin."
         const val PARTIAL = "Partial structure factors S_ab(k) of Ashcroft & Langreth."
     }
 }

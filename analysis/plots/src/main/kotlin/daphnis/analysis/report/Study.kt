@@ -7,6 +7,8 @@ import daphnis.analysis.plot.Figure
 import daphnis.analysis.plot.PictureFiles
 import daphnis.analysis.plot.PlotScale
 import daphnis.analysis.table.UnitNames
+import daphnis.analysis.theory.HardDiscs
+import daphnis.analysis.theory.HardSpheres
 import daphnis.core.format.Snapshot
 import daphnis.core.scenario.Scenario
 import java.nio.file.Files
@@ -57,6 +59,10 @@ internal class Study(
 
     /** Whether walls that are no faces of the box cut off parts of it: densities over the box then tell nothing. */
     val isRoomCut: Boolean = last.boundary.surfaces.isNotEmpty()
+
+    /** Whether spheres or discs fill the room so densely that they may be a crystal. */
+    val mayFreeze: Boolean = !isRoomCut &&
+        bulk.fillingFactor >= if (last.boundary.space.isPlane) HardDiscs.FREEZING else HardSpheres.FREEZING
 
     /** Whether light through it means something: it ends above and below, and is a ring or may be one. */
     val isLit: Boolean = !last.boundary.repeats(2) &&

@@ -61,7 +61,8 @@ internal class SurfacePart(private val study: Study) : Part {
             "autocorrelation A",
         )
         val caption = "Autocorrelation A of the surface density, ⟨δΣ δΣ⟩/⟨Σ⟩², the centre left out." +
-            study.boxes.ifChanging("lags are parts of each box, given in the mean one.")
+            study.boxes.ifChanging("lags are parts of each box, given in the mean one.") +
+            if (study.mayFreeze) ProfilesSection.PLANES else ""
         study.draw(page, figure, "autocorrelation", "autocorrelation of the surface density", caption, HEIGHT)
         Table(
             "autocorrelation",
@@ -77,8 +78,8 @@ internal class SurfacePart(private val study: Study) : Part {
         table()
         if (pattern == null) {
             page.paragraph(
-                "No pitch angle and no spacing of wakes: no single wave of the surface density is stronger than " +
-                    "waves of the same length in other directions.",
+                "No pitch angle and no spacing of wakes: the strongest wave of the surface density is about as long " +
+                    "as the patch is wide, or no stronger than waves of the same length in other directions.",
             )
         }
         val rows = rows()

@@ -31,17 +31,28 @@ internal class WalkPart(private val study: Study) : Part {
             val e = first[BodyColumns.ECCENTRICITY]
             rows.average("moonlet_eccentricity", "a·e of the first moonlet, mean", BlockAverage.of(e), units.length)
         }
-        val found = walk ?: return rows.list()
-        val returns = if (found.isSettled) "" else ", still correlated ($CORRELATED)"
-        val blocks =
-            "${ReportText.count(found.times, "time")} of ${ReportText.short(found.length / orbit)} orbits$returns"
+        return rows.list() + walk?.let { of(it) }.orEmpty()
+    }
+
+    /** What is known of the walk that was [found]. */
+    fun of(found: RandomWalk): List<NumberRow> {
+        val length = "${ReportText.short(found.length / orbit)} orbits"
+        val blocks = "${ReportText.count(found.times, "time")} of $length"
         val distance = units.length
         val century = HUNDRED * orbit
-        return rows.list() + listOf(
-            row("moonlet_drift", "drift of the moonlets' a", found.drift, found.driftError, orbit, "$distance/orbit"),
+        val drift =
+            row("moonlet_drift", "drift of the moonlets' a", found.drift, found.driftError, orbit, "$distance/orbit")
+        val diffusion = "diffusion of their a, ½ ⟨Δa²⟩/t"
+        if (!found.isSettled) {
+            val correlation = ReportText.short(found.correlation)
+            val why = "not known: changes over $length depend on those before (correlation $correlation), $LONGER"
+            return listOf(drift, NumberRow(diffusion, Double.NaN, Double.NaN, "${units.area}/orbit", note = why))
+        }
+        return listOf(
+            drift,
             row(
                 "moonlet_diffusion",
-                "diffusion of their a, ½ ⟨Δa²⟩/t",
+                diffusion,
                 found.diffusion,
                 found.diffusionError,
                 orbit,
@@ -111,7 +122,7 @@ internal class WalkPart(private val study: Study) : Part {
     private companion object {
         /** The least of orbits over which pushes are forgotten: an epicycle is damped, and what passed is gone. */
         const val MEMORY = 2.0
-        const val CORRELATED = "a longer run is needed"
+        const val LONGER = "a longer run is needed"
         const val HUNDRED = 100
         const val MOST_CURVES = 6
         const val ROUNDING = 1e-9

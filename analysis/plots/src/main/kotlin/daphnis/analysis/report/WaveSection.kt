@@ -2,6 +2,7 @@ package daphnis.analysis.report
 
 import daphnis.analysis.plot.Chart
 import daphnis.analysis.plot.Curve
+import daphnis.analysis.statistics.BlockAverage
 import daphnis.analysis.table.Column
 import daphnis.analysis.table.Table
 import daphnis.analysis.table.UnitNames
@@ -193,7 +194,8 @@ internal class WaveSection(private val study: Study) : Section {
 
         fun growth(name: String, unit: String, value: (WaveGrowth) -> Double) =
             column(name, unit) { m -> waves.growth(m)?.let(value) ?: Double.NaN }
-        val error = study.judgement::error
+
+        fun error(average: BlockAverage) = study.judgement.error(average)
         val speeds = modes.map { waves.rms(ModeQuantity.VELOCITY_X, it) * (1 / scale.speed) }
         val densities = modes.map { waves.rms(ModeQuantity.DENSITY, it) }
         val frequencies = modes.map { waves.frequency(it) * (1 / omega) }

@@ -1,7 +1,9 @@
 package daphnis.analysis.report
 
 import daphnis.analysis.input.AnalysisInput
+import daphnis.analysis.moonlet.RandomWalk
 import daphnis.core.format.FormatException
+import daphnis.core.initial.SeededRandom
 import daphnis.core.run.Run
 import daphnis.core.scenario.BuiltIn
 import daphnis.core.scenario.InputException
@@ -14,6 +16,7 @@ import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import java.nio.file.Files
 import java.nio.file.Path
+import kotlin.math.PI
 
 class MoonletSectionTest {
     @TempDir
@@ -55,6 +58,28 @@ class MoonletSectionTest {
         val cells = Files.readAllLines(path.resolve("tables/moonlet-map.csv"))
         assertEquals("dx [m],dy [m],excess", cells[0])
         assertEquals(0.0, cells.drop(1).map { it.substringAfterLast(',').toDouble() }.average(), 1e-9)
+    }
+
+    @Test
+    fun `a walk whose changes depend on those before has no diffusion, and says why`() {
+        val path = analysed("short", "untilOrbits=1")
+        val input = AnalysisInput.ofRun(path)
+        val part = WalkPart(Study(input, 0.0, listOf(input.size - 1), AnalysisOptions(), path))
+        val orbit = 2 * PI / input.omega!!
+        fun rows(change: (Int) -> Double): List<NumberRow> {
+            var x = 0.0
+            val time = DoubleArray(41) { 2 * orbit * it }
+            val walk = DoubleArray(41) { x.also { _ -> x += change(it) } }
+            return part.of(RandomWalk.settled(listOf(time), listOf(walk), 2 * orbit))
+        }
+        val random = SeededRandom(3)
+        val free = rows { random.nextGaussian() }
+        assertEquals(listOf("moonlet_drift", "moonlet_diffusion", "moonlet_walk"), free.map { it.key })
+        assertTrue(free.all { it.value.isFinite() && it.error > 0 })
+        // A push that grows.
+        val bound = rows { it.toDouble() }
+        assertTrue(bound.none { it.key == "moonlet_diffusion" || it.key == "moonlet_walk" })
+        assertTrue(bound.last().value.isNaN() && "depend on those before (correlation " in bound.last().note)
     }
 
     @Test

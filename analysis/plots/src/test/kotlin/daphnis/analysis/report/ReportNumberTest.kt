@@ -25,7 +25,7 @@ class ReportNumberTest {
 
     @Test
     fun `the numbers of a report are those of its table, without a file written`() {
-        val ring = run("ring-patch", "untilOrbits=2", "box.lengths=[60,60,20]", "output.snapshotEvery=15")
+        val ring = run("ring-patch", "untilOrbits=12", "box.lengths=[40,40,20]", "output.snapshotEvery=45")
         val gas = run(
             "elastic-gas",
             "particles={\"count\":150,\"sizes\":{\"type\":\"list\",\"radii\":[0.5,0.3]},\"density\":1}",
