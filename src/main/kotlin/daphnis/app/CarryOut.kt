@@ -6,6 +6,7 @@ import daphnis.analysis.plot.PlotScale
 import daphnis.analysis.plot.RunPlot
 import daphnis.analysis.table.UnitNames
 import daphnis.app.describe.counted
+import daphnis.app.describe.goals
 import daphnis.app.describe.spheres
 import daphnis.app.live.Ending
 import daphnis.app.live.LivePage
@@ -78,6 +79,10 @@ internal fun CliktCommand.carryOut(
             live?.endsWith(Ending.Kind.COMPLETE, "complete $end, state digest ${summary.stateDigest}")
             if (run.hasSeries) run.scenario?.let { drawPlot(run.directory, it, run.simulation.population) }
             report(summary, timesOf(run), units)
+            val goals = run.scenario?.growth?.goals().orEmpty()
+            if (goals.isNotEmpty() && summary.time < run.until) {
+                printLine("ended before time ${timesOf(run).text(run.until)}, at ${goals.joinToString(" or ")}")
+            }
             if (interruption.requested) {
                 printLine("interrupted at the end: the run is complete, there is nothing to resume")
                 throw ProgramResult(EXIT_INTERRUPTED)

@@ -106,11 +106,7 @@ internal class PhysicsRows(private val setup: ScenarioSetup, private val say: Qu
 
     private fun growth() {
         val spec = scenario.growth ?: return
-        val ends = listOfNotNull(
-            spec.untilFillingFactor?.let { "filling factor ${number(it)}" },
-            spec.untilPressure?.let { "reduced pressure ${number(it)}" },
-            "time ${number(scenario.end)}",
-        )
+        val ends = spec.goals() + "time ${number(scenario.end)}"
         val since = spec.since?.let { "time ${number(it)}" } ?: "the start"
         val energy = if (spec.thermostat) "kept by a thermostat" else "grows with the work of the surfaces"
         rows.add(

@@ -1,6 +1,7 @@
 package daphnis.app.describe
 
 import daphnis.app.describe.Quantities.Companion.number
+import daphnis.core.scenario.GrowthSpec
 import daphnis.core.scenario.RestitutionSpec
 import daphnis.core.space.Space
 
@@ -55,3 +56,9 @@ internal fun wrapped(text: String, columns: Int): List<String> {
     }
     return lines
 }
+
+/** What ends a run before its time. */
+internal fun GrowthSpec.goals(): List<String> = listOfNotNull(
+    untilFillingFactor?.let { "filling factor ${number(it)}" },
+    untilPressure?.let { "reduced pressure ${number(it)}" },
+)

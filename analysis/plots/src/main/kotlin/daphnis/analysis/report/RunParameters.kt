@@ -83,13 +83,20 @@ internal class RunParameters(private val input: AnalysisInput, private val last:
     }
 
     private fun summary(summary: Summary) = listOf(
-        "steps" to "${summary.steps}" + if (summary.finished) "" else ", interrupted before the end of the scenario",
+        "steps" to "${summary.steps}" + end(summary),
         "collisions" to "${summary.collisions}" + guarded(summary.guardActivations),
         "deepest overlap" to overlap(summary.maxOverlap),
         "engine" to "${summary.engine}, ${count(summary.threads, "thread")}, ${short(summary.wallSeconds)} s",
         "state digest" to summary.stateDigest,
         "version" to "daphnis ${summary.version}, ${summary.jvm}",
     )
+
+    private fun end(summary: Summary): String {
+        if (!summary.finished) return ", interrupted before the end of the scenario"
+        val scenario = input.scenario ?: return ""
+        val goal = scenario.growth != null && scenario.until?.let { summary.time < it } == true
+        return if (goal) ", ended before time ${short(scenario.until!!)} by an end of growth" else ""
+    }
 
     private fun overlap(part: Double) = if (part == 0.0) "none" else "${short(part)} of the sum of two radii"
 
