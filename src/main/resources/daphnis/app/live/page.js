@@ -124,10 +124,11 @@ function end({ kind, text }) {
 
 /** What was told last is not what is now. */
 function lose(isRefused) {
-    const server = states.isRecorded ? "viewer" : "run";
+    const isKnown = part("name").textContent !== "daphnis";
+    const server = !isKnown ? "program" : states.isRecorded ? "viewer" : "run";
     note(isRefused ? `no connection: eight pages are open already, or the ${server} has ended`
         : `no connection: the ${server} has ended, or was killed`);
-    if (!isLost && !states.isRecorded && part("name").textContent !== "daphnis") {
+    if (!isLost && !states.isRecorded && isKnown) {
         part("text").textContent = `last heard of: ${part("text").textContent}`;
     }
     document.title = `no connection: ${name}`;
