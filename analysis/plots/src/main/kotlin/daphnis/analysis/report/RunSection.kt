@@ -57,7 +57,7 @@ internal class RunSection(private val study: Study) : Section {
             val end = scenario.until ?: return null
             val later = "--until ${typed(end + (longer - 1) * (end - scenario.startTime))}"
             val options = listOfNotNull(states(study, scenario.output, longer), later).joinToString(" ")
-            return "A run with $options is long enough for these errors."
+            return "A run with $options should be long enough for these errors."
         }
 
         /** How often a run that is [longer] by that factor is to write states; null where it has enough. */

@@ -46,7 +46,9 @@ internal class WalkPart(private val study: Study) : Part {
         if (!found.isSettled) {
             val correlation = ReportText.short(found.correlation)
             val why = "not known: changes over $length depend on those before (correlation $correlation), $LONGER"
-            return listOf(drift, NumberRow(diffusion, Double.NaN, Double.NaN, "${units.area}/orbit", note = why))
+            val unknown = Double.NaN
+            val key = "moonlet_diffusion"
+            return listOf(drift, NumberRow(diffusion, unknown, unknown, "${units.area}/orbit", note = why, key = key))
         }
         return listOf(
             drift,

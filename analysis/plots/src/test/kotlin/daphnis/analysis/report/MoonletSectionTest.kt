@@ -78,7 +78,7 @@ class MoonletSectionTest {
         assertTrue(free.all { it.value.isFinite() && it.error > 0 })
         // A push that grows.
         val bound = rows { it.toDouble() }
-        assertTrue(bound.none { it.key == "moonlet_diffusion" || it.key == "moonlet_walk" })
+        assertEquals(listOf("moonlet_drift", "moonlet_diffusion"), bound.map { it.key })
         assertTrue(bound.last().value.isNaN() && "depend on those before (correlation " in bound.last().note)
     }
 
