@@ -80,7 +80,8 @@ internal fun CliktCommand.carryOut(
             if (run.hasSeries) run.scenario?.let { drawPlot(run.directory, it, run.simulation.population) }
             report(summary, timesOf(run), units)
             val goals = run.scenario?.growth?.goals().orEmpty()
-            if (goals.isNotEmpty() && summary.time < run.until) {
+            // Steps up to the end may fall short of it by rounding.
+            if (goals.isNotEmpty() && summary.time < run.until * (1 - 1e-9)) {
                 printLine("ended before time ${timesOf(run).text(run.until)}, at ${goals.joinToString(" or ")}")
             }
             if (interruption.requested) {

@@ -155,7 +155,9 @@ internal class DiffusionSection(private val study: Study) : Section {
     private fun caption(d: MeanSquareDisplacement): String {
         val found =
             if (omega != null) ofGuidingCentres(d) else d.diffusion(*coordinates.indices.toList().toIntArray())
-        val said = if (found == null) {
+        val said = if (found == null && omega != null && d.lag.last() < 4 * PI / omega) {
+            "A coefficient takes lags of two orbits."
+        } else if (found == null) {
             "They do not become linear in time within these lags: no coefficient."
         } else {
             "D is half the slope where they are linear."

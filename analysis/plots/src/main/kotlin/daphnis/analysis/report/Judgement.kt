@@ -76,7 +76,8 @@ internal class Judgement(
     private companion object {
         const val BARS =
             "Bars are one standard error; a point has none where fewer than ${BlockAverage.FEWEST_NUMBERS} states " +
-                "have a value, or where these are worth fewer than eight independent ones."
+                "have a value, where these are worth fewer than eight independent ones, or where what it is part of " +
+                "drifts."
         const val NOT_OF_ONE = "There are no bars: numbers are of one state."
         const val NO_BARS = "There are no bars, since the run is not steady over the time averaged."
     }

@@ -5,7 +5,6 @@ import daphnis.analysis.table.UnitNames
 import daphnis.core.boundary.Box
 import daphnis.core.orbit.OrbitalFrequencies
 import daphnis.core.scenario.ForceSpec
-import daphnis.core.scenario.FrameSetup
 import daphnis.core.scenario.FrameSpec
 import daphnis.core.scenario.Scenario
 
@@ -30,10 +29,10 @@ internal object MoonEncounter {
         val planet = scenario.units.gravitationalParameter(frame) ?: return null
         val constant = moon.constant ?: scenario.units.gravitationalConstant ?: return null
         val ratio = moon.massRatio ?: moon.mass?.let { it * constant / planet } ?: return null
-        val frameAxis = FrameSetup.distance(scenario, orbits) ?: return null
         val distance = (box.lowerX + box.upperX) / 2 - moon.x
-        // The moon pulls by μ GM where orbits take 2π/Ω: μ a³ is μ GM/Ω² with the a of the frame.
-        return if (distance == 0.0) null else Encounter(distance, ratio, frameAxis, moon.e, orbits)
+        // The moon pulls by μ GM where orbits take 2π/Ω, which is what the frame knows of its distance.
+        val axis = Math.cbrt(planet / (orbits.omega * orbits.omega))
+        return if (distance == 0.0) null else Encounter(distance, ratio, axis, moon.e, orbits)
     }
 
     /** @param period orbits between two passages, of the run; null where it is not known */

@@ -140,6 +140,10 @@ internal class ProfilesSection(private val study: Study) : Section {
         val parts = (0 until 3).map { vertical.column(first + it) }
         val count = vertical.column(Profile.COLUMNS.indexOf("count"))
         val isSeen = BooleanArray(count.size) { count[it].mean * vertical.averages.size >= FEWEST_IN_BIN }
+        if (isSeen.none { it }) {
+            page.paragraph("No mean square velocities over height: no bin has $FEWEST_IN_BIN particles in all states.")
+            return
+        }
         val unit = study.scale.speed * study.scale.speed
         val curves = listOf("⟨c_x²⟩", "⟨c_y²⟩", "⟨c_z²⟩").mapIndexed { c, name ->
             val all = parts[c]
@@ -147,13 +151,14 @@ internal class ProfilesSection(private val study: Study) : Section {
                 name,
                 vertical.centres(),
                 DoubleArray(all.size) { if (isSeen[it]) all[it].mean / unit else Double.NaN },
-                DoubleArray(all.size) { study.judgement.error(all[it]) / unit },
+                DoubleArray(all.size) { study.judgement.error(all[it], "sigma_${"xyz"[c]}") / unit },
             )
         }
         val label = UnitNames.axis("mean square velocity", study.scale.temperatureName)
         val flow = WallDrive.remark(study)
         val caption = "Mean square velocities over height by component, around the mean of each bin, by number" +
-            (if (flow.isEmpty()) "." else "; $flow within a bin.") + STREAMS
+            (if (flow.isEmpty()) "." else "; $flow within a bin.") +
+            " Bins with fewer than $FEWEST_IN_BIN particles in all states are left out." + STREAMS
         val figure = Chart.lines(curves, study.lengthAxis("height z"), label)
         study.draw(page, figure, "vertical-temperature", "mean square velocities over height", caption)
     }

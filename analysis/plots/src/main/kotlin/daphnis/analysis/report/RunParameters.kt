@@ -71,7 +71,7 @@ internal class RunParameters(private val input: AnalysisInput, private val last:
     /** Without a length nothing is known in SI units but speeds and, for what it is worth, masses. */
     private fun units(scenario: Scenario): String {
         val units = scenario.units
-        val speed = scenario.cmPerSecond ?: return "none"
+        val speed = scenario.cmPerSecond ?: if (units.massInKg == 1.0) return "none" else units.speedInCmPerSecond
         val length = units.lengthInMetres?.let { "${short(it)} m" } ?: "not given"
         val time = units.timeInSeconds?.let { ", time ${short(it)} s" }.orEmpty()
         return "speed ${short(speed)} cm/s, length $length, mass ${short(units.massInKg)} kg$time"
@@ -94,8 +94,12 @@ internal class RunParameters(private val input: AnalysisInput, private val last:
     private fun end(summary: Summary): String {
         if (!summary.finished) return ", interrupted before the end of the scenario"
         val scenario = input.scenario ?: return ""
-        val goal = scenario.growth != null && scenario.until?.let { summary.time < it } == true
-        return if (goal) ", ended before time ${short(scenario.until!!)} by an end of growth" else ""
+        val growth = scenario.growth ?: return ""
+        val until = scenario.until ?: return ""
+        val hasGoal = growth.untilFillingFactor != null || growth.untilPressure != null
+        // Steps up to the end may fall short of it by rounding.
+        val isEarly = hasGoal && summary.time < until * (1 - ROUNDING)
+        return if (isEarly) ", ended before time ${short(until)} by an end of growth" else ""
     }
 
     private fun overlap(part: Double) = if (part == 0.0) "none" else "${short(part)} of the sum of two radii"
@@ -111,5 +115,6 @@ internal class RunParameters(private val input: AnalysisInput, private val last:
     private companion object {
         /** Of a box whose open faces nobody gave. */
         const val AROUND = "; the box is where the spheres are"
+        const val ROUNDING = 1e-9
     }
 }

@@ -5,6 +5,7 @@ import daphnis.core.scenario.OutputSpec
 import daphnis.core.scenario.TimeStepSpec
 import java.math.BigDecimal
 import java.math.MathContext
+import java.math.RoundingMode
 import java.nio.file.Files
 import java.nio.file.Path
 
@@ -48,33 +49,48 @@ internal class RunSection(private val study: Study) : Section {
         /** States that are enough for most errors. */
         private const val ENOUGH = 40
 
+        private const val HALF = 0.5
+
+        /** Of a number without its error of rounding. */
+        private const val DIGITS = 12
+
         private val PLAIN = Regex("[A-Za-z0-9_./:@%+=,-]+")
 
         /** Which run would give an error to those of the [rows] that lack states or time for one; null where none does. */
         fun longer(study: Study, rows: List<NumberRow>): String? {
             val scenario = study.input.scenario?.takeIf { study.input.directory != null } ?: return null
             val longer = rows.mapNotNull { it.unknown?.longer }.maxOrNull() ?: return null
-            val end = scenario.until ?: return null
-            val later = "--until ${typed(end + (longer - 1) * (end - scenario.startTime))}"
-            val options = listOfNotNull(states(study, scenario.output, longer), later).joinToString(" ")
-            return "A run with $options should be long enough for these errors."
+            val until = until(scenario.startTime, longer * ((scenario.until ?: return null) - scenario.startTime))
+            val options = (outputs(study, scenario.output, longer) + "--until $until").joinToString(" ")
+            return "A run with $options may be long enough for these errors."
         }
 
-        /** How often a run that is [longer] by that factor is to write states; null where it has enough. */
-        private fun states(study: Study, output: OutputSpec, longer: Int): String? {
-            val fewer = ENOUGH.toDouble() / (longer * study.averaged.size)
+        /** What a run that is [longer] by that factor is to write more often to have [ENOUGH] of it. */
+        private fun outputs(study: Study, output: OutputSpec, longer: Int): List<String> {
+            val steps = study.input.summary?.steps ?: return emptyList()
+            val (first, last) = study.input.times.first() to study.input.times.last()
+            // Of one state nothing is known of the part of the run that would be averaged.
+            val averaged = if (last > first) (last - study.from) / (last - first) else HALF
+            val every = (longer * steps * averaged / ENOUGH).toInt().coerceAtLeast(1)
+            val told = ArrayList<String>()
             val interval = output.snapshotInterval
-            return when {
-                fewer <= 1 -> null
-                interval != null -> "--set output.snapshotInterval=${typed(interval / fewer)}"
-                output.snapshotEvery > 0 ->
-                    "--set output.snapshotEvery=${(output.snapshotEvery / fewer).toInt().coerceAtLeast(1)}"
-                else -> null
+            if (interval == null) {
+                if (output.snapshotEvery !in 1..every) told += "--set output.snapshotEvery=$every"
+            } else if (longer * study.averaged.size < ENOUGH) {
+                val shorter = interval * longer * study.averaged.size / ENOUGH
+                told += "--set output.snapshotInterval=${typed(shorter, RoundingMode.DOWN)}"
             }
+            if (output.transportEvery > every) told += "--set output.transportEvery=$every"
+            return told
         }
 
-        /** [value] as it can be typed. */
-        private fun typed(value: Double) = BigDecimal(value).round(MathContext(3)).stripTrailingZeros().toPlainString()
+        /** The time that is [span] after [start], to three digits of the span. */
+        fun until(start: Double, span: Double) =
+            BigDecimal("$start").add(BigDecimal(typed(span, RoundingMode.UP))).stripTrailingZeros().toPlainString()
+
+        /** [value] to three digits, as it can be typed. */
+        private fun typed(value: Double, rounding: RoundingMode) = BigDecimal(value).round(MathContext(DIGITS))
+            .round(MathContext(3, rounding)).stripTrailingZeros().toPlainString()
 
         /** A directory beside [run], which may be given as `.` and has no name of its own then. */
         fun besides(run: Path): Path {

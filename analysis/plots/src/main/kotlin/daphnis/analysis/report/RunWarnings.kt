@@ -23,8 +23,8 @@ internal object RunWarnings {
         val part = (summary ?: return null).guardActivations / summary.collisions.toDouble()
         if (!(part > MOST_GUARDED)) return null
         val percent = "%.0f".format(Locale.ROOT, 100 * part)
-        return "The collapse guard made $percent % of the collisions elastic, as between spheres that rest on each " +
-            "other: how many collisions there are is its choice more than the spheres'."
+        return "The collapse guard made $percent % of the collisions elastic, as where spheres rest on each other, " +
+            "or where its bound is not small: how many collisions there are is its choice more than the spheres'."
     }
 
     /** What the run warned of when it began; none where its scenario, accepted with a loss, is none any more. */

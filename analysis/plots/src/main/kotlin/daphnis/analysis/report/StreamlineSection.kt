@@ -8,6 +8,7 @@ import daphnis.analysis.streamline.Streamlines
 import daphnis.analysis.table.Column
 import daphnis.analysis.table.Table
 import java.util.Locale
+import kotlin.math.exp
 
 /** Streamlines of the last state, in both orders; relative to the moon where there is one. */
 internal class StreamlineSection(private val study: Study) : Section {
@@ -51,12 +52,23 @@ internal class StreamlineSection(private val study: Study) : Section {
 
     /** Of the middle streamline, by slab, without what random epicycles make. */
     private fun middle(forced: List<Double>): String {
-        // Of noise alone two thirds are below what it is expected to be.
-        if (forced.count { it == 0.0 } > forced.size * MOST_NOISE) {
+        if (isNoise(forced.size, forced.count { it == 0.0 })) {
             return "The middle streamline has no forced eccentricity beyond what as many random epicycles make."
         }
         val mean = "${ReportText.short(forced.average())} ${units.length}"
         return "Forced eccentricity a·e of the middle streamline, without that of random epicycles: $mean on average."
+    }
+
+    /** Whether [zeros] of [slabs] without forced eccentricity may be as few by chance: of noise 1 − 1/e of all are. */
+    private fun isNoise(slabs: Int, zeros: Int): Boolean {
+        val each = 1 - exp(-1.0)
+        var term = Math.pow(1 - each, slabs.toDouble())
+        var sum = 0.0
+        for (k in 0..zeros) {
+            sum += term
+            term *= (slabs - k) / (k + 1.0) * each / (1 - each)
+        }
+        return sum > LEAST_CHANCE
     }
 
     private fun draw(page: ReportPage, lines: Streamlines) {
@@ -136,8 +148,8 @@ internal class StreamlineSection(private val study: Study) : Section {
         const val MOST_LINES = 24
         const val HEIGHT = 420
 
-        /** Part of the slabs without forced eccentricity beyond which all of it is taken for noise. */
-        const val MOST_NOISE = 0.25
+        /** Chance above which forced eccentricities are taken for noise. */
+        const val LEAST_CHANCE = 0.01
 
         /** Part of the streamlines below which there is no picture of them. */
         const val LEAST_PART = 0.5

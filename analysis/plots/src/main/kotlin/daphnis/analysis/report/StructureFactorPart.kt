@@ -15,7 +15,10 @@ internal class StructureFactorPart(private val study: Study, private val groups:
     private val spatial = if (isSpatial) SpatialStructureFactor(largest, BINS, NamedGroups.of(groups)) else null
     private val plane = StructureFactor(largest, BINS)
     private val averages = Averages(spatial ?: plane)
-    private val x by lazy { spatial?.waveNumbers(study.last) ?: plane.waveNumbers(study.last) }
+
+    /** Of each state where waves lean, and of one where all have the same. */
+    private val waveNumbers = ArrayList<DoubleArray>()
+    private val x by lazy { DoubleArray(BINS) { bin -> waveNumbers.sumOf { it[bin] } / waveNumbers.size } }
 
     private fun farthest(): Double {
         val box = study.boxes.mean
@@ -32,7 +35,12 @@ internal class StructureFactorPart(private val study: Study, private val groups:
         return minOf(PEAKS / study.bulk.typicalRadius, Math.pow(2 * MOST_LISTED * cell / ball, 1.0 / axes))
     }
 
-    override fun add(state: State) = averages.add(state)
+    override fun add(state: State) {
+        averages.add(state)
+        if (waveNumbers.isEmpty() || state.boundary.shear != null || study.boxes.isChanging) {
+            waveNumbers += spatial?.waveNumbers(state) ?: plane.waveNumbers(state)
+        }
+    }
 
     override fun write(page: ReportPage) {
         val unit = study.units.waveNumber

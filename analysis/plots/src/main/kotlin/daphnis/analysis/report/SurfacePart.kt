@@ -78,8 +78,8 @@ internal class SurfacePart(private val study: Study) : Part {
         table()
         if (pattern == null) {
             page.paragraph(
-                "No pitch angle and no spacing of wakes: the strongest wave of the surface density is about as long " +
-                    "as the patch is wide, or no stronger than waves of the same length in other directions.",
+                "No pitch angle and no spacing of wakes: the strongest wave of the surface density goes along the " +
+                    "orbit, is about as long as the patch is wide, or is no stronger than those in other directions.",
             )
         }
         val rows = rows()

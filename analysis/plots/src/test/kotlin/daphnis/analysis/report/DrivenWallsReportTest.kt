@@ -33,14 +33,9 @@ class DrivenWallsReportTest {
         }
         assertTrue("Occultation" !in html && "ptical depth" !in html && "⟨c_z²⟩ is no temperature" in html)
         // 13 states from time 15 on.
-        assertTrue("A run with --until 160 should be long enough for these errors." in html) {
+        assertTrue("A run with --until 160 may be long enough for these errors." in html) {
             html.substringAfter("<sup>?</sup>").take(500)
         }
-        // Five states of a run four times as long are half of what it takes.
-        Analysis(AnalysisInput.ofRun(home), AnalysisOptions(frames = 5)).write(home)
-        val every = AnalysisInput.ofRun(home).scenario!!.output.snapshotEvery / 2
-        val told = "A run with --set output.snapshotEvery=$every --until 160 should be long enough for these errors."
-        assertTrue(told in Files.readString(home.resolve("report.html"))) { told }
     }
 
     @Test

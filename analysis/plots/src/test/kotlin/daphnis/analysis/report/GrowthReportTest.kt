@@ -22,6 +22,7 @@ class GrowthReportTest {
         val page = Files.readString(home.resolve("report.html"))
         assertTrue("so averages over time mean nothing: numbers are of one state." in page)
         assertTrue("No drift is seen" !in page && "spheres grow, so no time" in page)
+        assertTrue("by an end of growth" !in page) { "it reached its time" }
         assertTrue("Averages over 1 state of 7" in page)
         assertTrue("the number is of one state of a run that changes" in page && "steady over the time" !in page)
         val last = Files.readAllLines(home.resolve("tables/numbers.csv")).map { it.split(',') }
@@ -33,6 +34,22 @@ class GrowthReportTest {
         val numbers = rows.drop(1).map { line -> line.split(',').map { it.toDouble() } }
         for (row in numbers) assertEquals(EquationOfState.ofSpheres(row[1]), row[3], 1e-6 * row[3])
         assertEquals(1.0, numbers.map { it[2] / it[3] }.average(), 0.2)
+    }
+
+    @Test
+    fun `a run that its growth ends says so, one that falls short of its time by rounding does not`(
+        @TempDir home: Path,
+    ) {
+        for ((until, goal) in listOf("30" to "0.31", "0.33" to "0.6")) {
+            val settings = listOf("particles.count=100", "until=$until", "timeStep={\"type\":\"fixed\",\"dt\":0.03}") +
+                "box.lengths=[7,7,7]" + "growth.untilFillingFactor=$goal"
+            val path = home.resolve(until)
+            Run.start(BuiltIn.scenario("glass", settings), "glass", path).use { it.execute() }
+            Analysis(AnalysisInput.ofRun(path)).write(path)
+            val page = Files.readString(path.resolve("report.html"))
+            assertEquals(goal == "0.31", "ended before time 30 by an end of growth" in page)
+            assertEquals(goal == "0.31", "by an end of growth" in page)
+        }
     }
 
     @Test

@@ -41,6 +41,7 @@ class MoonletSectionTest {
         for (plot in listOf("moonlet", "moonlet-wake", "moonlet-walk", "moonlet-eccentricity")) {
             assertTrue(Files.size(path.resolve("plots/$plot.svg")) > 1000) { plot }
         }
+        assertTrue("bodies included, which block light too" in html && "Daisaka et al." !in html)
         assertTrue("A·e of moonlets" !in html && "a·e of moonlets over the whole run" in html)
         assertTrue(Regex("The same 2 to [0-9](\\.[1-9])? Hill radii").containsMatchIn(html))
         // The scale ends where nothing is left.

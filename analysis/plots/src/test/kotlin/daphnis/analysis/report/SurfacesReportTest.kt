@@ -20,7 +20,7 @@ class SurfacesReportTest {
         val page = Files.readString(home.resolve("report.html"))
         assertTrue("Structure: walls cut off a part of the box." in page)
         assertTrue("Occultation" !in page) { "a drum is no ring" }
-        val resting = Regex("The collapse guard made \\d\\d % of the collisions elastic, as between spheres that rest")
+        val resting = Regex("The collapse guard made \\d\\d % of the collisions elastic, as where spheres rest")
         assertTrue(resting.containsMatchIn(page))
         val plots = listOf("pair-correlation", "structure-factor", "occultation", "radial-optical-depth") +
             listOf("radial-filling-factor", "vertical-filling-factor")
