@@ -64,7 +64,7 @@ internal fun runDaphnis(args: Array<String>): Int {
     } catch (e: ProgramResult) {
         e.statusCode
     } catch (e: UsageError) {
-        complain(oneLine(command.getFormattedHelp(e).orEmpty(), e), EXIT_INPUT)
+        complain(command.oneLine(e, words), EXIT_INPUT)
     } catch (e: CliktError) {
         command.echoFormattedHelp(e)
         if (e.statusCode == 0) EXIT_DONE else EXIT_INPUT
@@ -129,11 +129,20 @@ internal fun CliktCommand.understood(words: Array<String>): Array<String> {
     return if (first.startsWith("-") || first in registeredSubcommandNames()) words else arrayOf(first)
 }
 
-/** The library's message begins with the usage; a wrong word deserves one line and where to read more. */
-private fun oneLine(help: String, e: UsageError): String {
+/**
+ * The library's message begins with the usage, and has colours on a terminal; a wrong word deserves one line and where
+ * to read more.
+ */
+internal fun CliktCommand.oneLine(e: UsageError, words: Array<String>): String {
+    val help = getFormattedHelp(e).orEmpty().replace(COLOUR, "")
     val errors = help.lines().filter { it.startsWith("Error: ") }.joinToString("; ") { it.removePrefix("Error: ") }
-    return "$errors${wanted(e)} (see ${e.context?.commandNameWithParents()?.joinToString(" ") ?: "daphnis"} --help)"
+    // A word that its command does not know is told of by the one above.
+    val here = e.context?.commandNameWithParents().orEmpty().ifEmpty { listOf("daphnis") }
+    val below = words.take(1).filter { here.size == 1 && it in registeredSubcommandNames() }
+    return "$errors${wanted(e)} (see ${(here + below).joinToString(" ")} --help)"
 }
+
+private val COLOUR = Regex("\u001B\\[[0-9;]*m")
 
 /** What an option is for that is missing, or that has no value. */
 private fun wanted(e: UsageError): String {

@@ -1,8 +1,15 @@
 package daphnis.app
 
+import com.github.ajalt.clikt.core.UsageError
+import com.github.ajalt.clikt.core.context
+import com.github.ajalt.clikt.core.parse
+import com.github.ajalt.clikt.core.terminal
+import com.github.ajalt.mordant.rendering.AnsiLevel
+import com.github.ajalt.mordant.terminal.Terminal
 import daphnis.core.format.H5md
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
+import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
@@ -225,6 +232,23 @@ class RefusalsTest {
         assertEquals(help, assertDone(daphnis("help")))
         assertEquals(help, assertDone(daphnis()))
         assertEquals(assertDone(daphnis("run", "--help")), assertDone(daphnis("help", "run")))
+    }
+
+    @Test
+    fun `what is wrong with the command line is said on a terminal with colours too, and where to read on`() {
+        val command = daphnisCommand().context { terminal = Terminal(ansiLevel = AnsiLevel.TRUECOLOR) }
+        for ((words, said) in listOf(
+            listOf("run", "x", "--stesp", "5") to
+                "no such option --stesp. Did you mean --steps? (see daphnis run --help)",
+            listOf("rnu") to "no such subcommand rnu. Did you mean run? (see daphnis --help)",
+        )) {
+            val e = assertThrows(UsageError::class.java) { command.parse(words) }
+            assertEquals(said, command.oneLine(e, words.toTypedArray()))
+        }
+        val missing = listOf("run", "x", "--steps")
+        val e = assertThrows(UsageError::class.java) { command.parse(missing) }
+        val said = command.oneLine(e, missing.toTypedArray())
+        assertTrue("--steps requires a value: end after this many steps (see daphnis run --help)" in said) { said }
     }
 
     @Test
