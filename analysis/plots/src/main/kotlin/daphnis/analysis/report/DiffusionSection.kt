@@ -162,13 +162,8 @@ internal class DiffusionSection(private val study: Study) : Section {
         } else {
             "D is half the slope where they are linear."
         }
-        return if (omega !=
-            null
-        ) {
-            "X is the guiding centre; x swings about it once an orbit, which states at whole orbits do not show. $said"
-        } else {
-            said
-        }
+        if (omega == null) return said
+        return "X is the guiding centre; x swings about it once an orbit, not seen in states at whole orbits. $said"
     }
 
     private fun begun(): Trajectories? {

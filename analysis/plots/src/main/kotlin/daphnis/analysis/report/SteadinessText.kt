@@ -23,10 +23,10 @@ internal class SteadinessText(
     private val growing: String? = null,
 ) {
     /**
-     * One sentence for each of the [histories] that drifts, which takes the ± of the run if one of them does, with what to do about it in the last of those for which that
-     * is the same; then one for those that do not, with the largest drift that may have been missed, one for those
-     * whose fluctuations may hide a large one, and one for those with too few rows to tell. Of a conserved quantity no
-     * drift is missed.
+     * One sentence for each of the [histories] that drifts, which takes the ± of the run if one of them does, with
+     * what to do about it in the last of those for which that is the same; then one for those that do not, with the
+     * largest drift that may have been missed, one for those whose fluctuations may hide a large one, and one for
+     * those with too few rows to tell. Of a conserved quantity no drift is missed.
      */
     fun of(histories: List<History>): List<String> {
         val found = histories.map { it to it.steadiness(from) }.groupBy { it.second.verdict }
