@@ -32,7 +32,8 @@ internal class PairPart(private val study: Study) : Part {
 
     /** Why g does not tend to 1 where particles do not fill the patch evenly. */
     private fun farAway(): String {
-        if (averages.size == 0) return ""
+        // That of a crystal swings about 1 at any distance.
+        if (averages.size == 0 || study.mayFreeze) return ""
         val mean = (FAR until BINS).map { averages.average(it).mean }.average()
         if (!(mean - 1 > UNEVEN)) return ""
         val far = ReportText.short(mean)

@@ -9,6 +9,7 @@ import daphnis.analysis.table.Column
 import daphnis.analysis.table.Table
 import java.util.Locale
 import kotlin.math.exp
+import kotlin.math.ln
 
 /** Streamlines of the last state, in both orders; relative to the moon where there is one. */
 internal class StreamlineSection(private val study: Study) : Section {
@@ -57,18 +58,6 @@ internal class StreamlineSection(private val study: Study) : Section {
         }
         val mean = "${ReportText.short(forced.average())} ${units.length}"
         return "Forced eccentricity a·e of the middle streamline, without that of random epicycles: $mean on average."
-    }
-
-    /** Whether [zeros] of [slabs] without forced eccentricity may be as few by chance: of noise 1 − 1/e of all are. */
-    private fun isNoise(slabs: Int, zeros: Int): Boolean {
-        val each = 1 - exp(-1.0)
-        var term = Math.pow(1 - each, slabs.toDouble())
-        var sum = 0.0
-        for (k in 0..zeros) {
-            sum += term
-            term *= (slabs - k) / (k + 1.0) * each / (1 - each)
-        }
-        return sum > LEAST_CHANCE
     }
 
     private fun draw(page: ReportPage, lines: Streamlines) {
@@ -141,17 +130,30 @@ internal class StreamlineSection(private val study: Study) : Section {
         ).write(study.tables)
     }
 
-    private companion object {
+    companion object {
         /** Particles below which groups mean nothing: two in each of the fewest. */
-        const val LEAST = 32
-        const val PARTICLES_PER_GROUP = 12.0
-        const val MOST_LINES = 24
-        const val HEIGHT = 420
+        private const val LEAST = 32
+        private const val PARTICLES_PER_GROUP = 12.0
+        private const val MOST_LINES = 24
+        private const val HEIGHT = 420
 
         /** Chance above which forced eccentricities are taken for noise. */
-        const val LEAST_CHANCE = 0.01
+        private const val LEAST_CHANCE = 0.01
 
         /** Part of the streamlines below which there is no picture of them. */
-        const val LEAST_PART = 0.5
+        private const val LEAST_PART = 0.5
+
+        /** Whether [zeros] of [slabs] without forced eccentricity may be as few by chance: of noise 1 − 1/e of all are. */
+        fun isNoise(slabs: Int, zeros: Int): Boolean {
+            val each = 1 - exp(-1.0)
+            // In logarithms: of many slabs the first terms are below the smallest number.
+            var term = -slabs.toDouble()
+            var sum = 0.0
+            for (k in 0..zeros) {
+                sum += exp(term)
+                term += ln((slabs - k) / (k + 1.0) * each / (1 - each))
+            }
+            return sum > LEAST_CHANCE
+        }
     }
 }

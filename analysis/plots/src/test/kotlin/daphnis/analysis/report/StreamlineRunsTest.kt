@@ -37,6 +37,20 @@ class StreamlineRunsTest {
     }
 
     @Test
+    fun `forced eccentricity is taken for noise where as few slabs without it may be chance`() {
+        // Of noise (1 − 1/e) is the share of them; e⁻⁴ is 1.8 % and e⁻⁵ 0.7 %.
+        assertEquals(
+            listOf(true, false),
+            listOf(4 to 0, 5 to 0).map { (n, zeros) ->
+                StreamlineSection.isNoise(n, zeros)
+            },
+        )
+        // Mean 85 and standard deviation 5.6.
+        assertEquals(listOf(true, true, false), listOf(85, 75, 68).map { StreamlineSection.isNoise(135, it) })
+        assertEquals(listOf(true, true, false), listOf(2000, 1264, 1000).map { StreamlineSection.isNoise(2000, it) })
+    }
+
+    @Test
     fun `streamlines in their order are drawn whole`() {
         val runs = StreamlineRuns(lines(0.0, 0..-1), (0..3).toList())
         assertEquals(1.0, runs.part)
