@@ -97,7 +97,7 @@ internal class EvolutionSection(private val study: Study) : Section {
         if (energies.isNotEmpty()) {
             val ofRing =
                 " The kinetic energy is of all motion in the rotating frame, mostly the shear of the orbits; " +
-                    "Hill's is the sum of kinetic, tidal and potential energy."
+                    "Hill's is the sum of kinetic, rotational, tidal and potential energy."
             val shear = if (study.isRing) ofRing else ""
             study.draw(
                 page,

@@ -47,6 +47,17 @@ class JudgementTest {
     }
 
     @Test
+    fun `what is part of a number that drifts has no error`() {
+        val average = BlockAverage(1.0, 0.1, 100, 40.0)
+        fun errors(height: Double) = listOf("scale_height", "viscosity_total", null).map {
+            judged(height).error(average, it)
+        }
+        assertEquals(listOf(0.1, 0.1, 0.1), errors(2.9))
+        assertEquals(listOf(Double.NaN, 0.1, 0.1), errors(3.2))
+        assertEquals(listOf(Double.NaN, Double.NaN, Double.NaN), errors(4.6))
+    }
+
+    @Test
     fun `where the temperature of a box is too slow for an error, what follows it has none either`() {
         fun shown(temperature: Double) = Judgement(0.0, 16) { emptyList() }.shown(
             NumberRows().also { all ->
