@@ -140,7 +140,7 @@ def of(e: Any) -> DaphnisError:
     name = str(e.getClass().getName())
     message = str(e.getMessage() or "")
     error: DaphnisError
-    if name == "daphnis.core.scenario.InputException":
+    if name == "daphnis.core.input.InputException":
         error = InputError(_in_words(e))
     elif name == "daphnis.core.format.FormatException":
         error = FormatError(message)

@@ -20,7 +20,7 @@ import daphnis.app.printing.printLine
 import daphnis.app.printing.warn
 import daphnis.app.progress.ShownProgress
 import daphnis.core.format.SnapshotFormats
-import daphnis.core.scenario.InputException
+import daphnis.core.input.InputException
 import java.nio.file.Files
 
 /** `daphnis analyze`: tables, plots and a report of a run or of a particle file. */

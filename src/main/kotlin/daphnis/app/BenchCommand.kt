@@ -26,9 +26,9 @@ import daphnis.app.bench.timingTitle
 import daphnis.app.printing.printLine
 import daphnis.app.printing.printLines
 import daphnis.app.printing.warn
+import daphnis.core.input.InputException
 import daphnis.core.run.adviceOn
 import daphnis.core.scenario.BuiltIn
-import daphnis.core.scenario.InputException
 import java.nio.file.Files
 import java.nio.file.Path
 

@@ -7,9 +7,9 @@ import com.github.ajalt.clikt.parameters.options.option
 import daphnis.app.cite.RunCitation
 import daphnis.app.printing.printLine
 import daphnis.app.printing.printLines
+import daphnis.core.input.InputException
 import daphnis.core.run.Run
 import daphnis.core.run.Version
-import daphnis.core.scenario.InputException
 import java.nio.file.Files
 import java.nio.file.LinkOption
 

@@ -5,12 +5,12 @@ import com.github.ajalt.clikt.core.Context
 import com.github.ajalt.clikt.core.ProgramResult
 import com.github.ajalt.clikt.parameters.arguments.argument
 import daphnis.app.printing.printLine
+import daphnis.core.input.InputException
 import daphnis.core.run.RecordedRun
 import daphnis.core.run.Run
 import daphnis.core.run.RunRecord
 import daphnis.core.run.Summary
 import daphnis.core.run.Version
-import daphnis.core.scenario.InputException
 
 /** `daphnis compare`: exit code 0 when two runs are identical, 1 when they differ. */
 class CompareCommand : CliktCommand(name = "compare") {

@@ -8,9 +8,9 @@ import com.github.ajalt.clikt.parameters.options.option
 import daphnis.app.describe.CostRows
 import daphnis.app.describe.GravityRows
 import daphnis.app.describe.PhysicsRows
-import daphnis.app.describe.Quantities
 import daphnis.app.describe.Rows
 import daphnis.app.printing.printLines
+import daphnis.core.input.Quantities
 import daphnis.core.run.engineOf
 import daphnis.core.scenario.ScenarioSetup
 import daphnis.core.scenario.warnings
@@ -41,7 +41,7 @@ class DescribeCommand : CliktCommand(name = "describe") {
         val rows = Rows()
         rows.add("scenario", scenario.name)
         if (scenario.description.isNotEmpty()) scenario.description.lines().forEach { rows.add("", it) }
-        val say = Quantities(setup.scenario)
+        val say = Quantities(setup.scenario.units, setup.scenario.cmPerSecond)
         PhysicsRows(setup, say, rows).write()
         GravityRows(setup, say, rows).write()
         CostRows(setup, say, rows).write()

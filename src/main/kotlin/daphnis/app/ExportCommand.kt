@@ -12,17 +12,17 @@ import daphnis.core.format.ExportOptions
 import daphnis.core.format.Exported
 import daphnis.core.format.FormatException
 import daphnis.core.format.Kept.Presence
-import daphnis.core.format.SiUnits
 import daphnis.core.format.Snapshot
 import daphnis.core.format.SnapshotFormats
 import daphnis.core.format.WritableFormat
+import daphnis.core.input.InputException
+import daphnis.core.input.SiUnits
+import daphnis.core.input.WayOut
 import daphnis.core.run.ProgramRecord
 import daphnis.core.run.RunDirectory
 import daphnis.core.run.RunRecord
 import daphnis.core.run.Version
-import daphnis.core.scenario.InputException
 import daphnis.core.scenario.ScenarioJson
-import daphnis.core.scenario.WayOut
 import java.nio.file.Files
 
 /** `daphnis export`: the snapshots of a run in a format of the community. */

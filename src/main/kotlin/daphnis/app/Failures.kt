@@ -3,7 +3,7 @@ package daphnis.app
 import daphnis.app.printing.reasonInWords
 import daphnis.app.printing.warn
 import daphnis.core.format.FormatException
-import daphnis.core.scenario.InputException
+import daphnis.core.input.InputException
 import java.nio.file.InvalidPathException
 
 /** Says in one line on the error stream what went wrong. @return the exit code for it */

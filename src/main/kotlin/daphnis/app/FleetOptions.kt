@@ -12,7 +12,7 @@ import daphnis.core.cluster.FleetEngines
 import daphnis.core.cluster.FleetNode
 import daphnis.core.cluster.NodesAwaited
 import daphnis.core.engine.EngineFactory
-import daphnis.core.scenario.InputException
+import daphnis.core.input.InputException
 import java.time.Duration
 
 /** The options of a command that can let nodes compute. */

@@ -1,11 +1,11 @@
 package daphnis.app
 
 import daphnis.core.format.Snapshot
+import daphnis.core.input.InputException
 import daphnis.core.run.RecordedRun
 import daphnis.core.run.Run
 import daphnis.core.run.RunOrigin
 import daphnis.core.scenario.FrameSetup
-import daphnis.core.scenario.InputException
 import java.nio.file.Files
 
 /**

@@ -19,9 +19,9 @@ import daphnis.app.live.joinedLive
 import daphnis.app.printing.DEBUG
 import daphnis.app.printing.flushPrinted
 import daphnis.app.printing.showTrace
+import daphnis.core.input.InputException
+import daphnis.core.input.Nearest
 import daphnis.core.run.Version
-import daphnis.core.scenario.InputException
-import daphnis.core.scenario.Nearest
 import kotlin.system.exitProcess
 
 /** `daphnis`, the command line: see `daphnis --help` and docs/guide.md. */

@@ -17,12 +17,12 @@ import daphnis.analysis.movie.MovieFrames
 import daphnis.analysis.movie.MovieOptions
 import daphnis.analysis.movie.MovieView
 import daphnis.analysis.report.AnalysisProgress
-import daphnis.app.describe.Quantities.Companion.number
 import daphnis.app.printing.printLine
 import daphnis.app.printing.warn
 import daphnis.app.progress.ShownProgress
+import daphnis.core.input.InputException
+import daphnis.core.input.Quantities.Companion.number
 import daphnis.core.run.RunException
-import daphnis.core.scenario.InputException
 import java.nio.file.Files
 import java.nio.file.Path
 import java.util.Locale

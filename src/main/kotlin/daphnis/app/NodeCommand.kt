@@ -13,7 +13,7 @@ import daphnis.cluster.hosts.HostPort
 import daphnis.cluster.hosts.SlurmList
 import daphnis.cluster.settings.ClusterSettings
 import daphnis.core.cluster.nodeWork
-import daphnis.core.scenario.InputException
+import daphnis.core.input.InputException
 import sun.misc.Signal
 import sun.misc.SignalHandler
 import java.io.IOException

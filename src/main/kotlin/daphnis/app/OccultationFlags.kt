@@ -8,7 +8,7 @@ import com.github.ajalt.clikt.parameters.types.int
 import daphnis.analysis.occultation.Footprint
 import daphnis.analysis.occultation.ObservedDepths
 import daphnis.analysis.report.OccultationOptions
-import daphnis.core.scenario.InputException
+import daphnis.core.input.InputException
 
 /** What `analyze` computes of the light through a patch when it is asked. */
 internal class OccultationFlags : OptionGroup() {

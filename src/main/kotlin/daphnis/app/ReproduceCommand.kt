@@ -8,11 +8,11 @@ import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.option
 import daphnis.app.cite.RunCitation
 import daphnis.app.printing.printLine
+import daphnis.core.input.InputException
 import daphnis.core.run.Run
 import daphnis.core.run.RunDirectory
 import daphnis.core.run.Summary
 import daphnis.core.run.Version
-import daphnis.core.scenario.InputException
 import daphnis.core.scenario.Scenario
 import java.nio.file.Files
 import java.nio.file.Path

@@ -8,8 +8,8 @@ import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.option
 import com.github.ajalt.clikt.parameters.types.double
 import daphnis.app.live.LiveOption
+import daphnis.core.input.InputException
 import daphnis.core.run.Run
-import daphnis.core.scenario.InputException
 
 /** `daphnis resume`. */
 class ResumeCommand : CliktCommand(name = "resume") {

@@ -12,11 +12,11 @@ import com.github.ajalt.clikt.parameters.types.double
 import com.github.ajalt.clikt.parameters.types.long
 import daphnis.app.live.LiveOption
 import daphnis.app.progress.TimesInWords
+import daphnis.core.input.InputException
 import daphnis.core.run.ProgramRecord
 import daphnis.core.run.Run
 import daphnis.core.run.RunOrigin
 import daphnis.core.scenario.FrameSetup
-import daphnis.core.scenario.InputException
 import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.TimeStepSpec
 import java.nio.file.Files

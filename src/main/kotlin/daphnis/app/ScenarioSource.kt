@@ -1,9 +1,9 @@
 package daphnis.app
 
+import daphnis.core.input.InputException
+import daphnis.core.input.Nearest
 import daphnis.core.run.atHome
 import daphnis.core.scenario.BuiltIn
-import daphnis.core.scenario.InputException
-import daphnis.core.scenario.Nearest
 import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.ScenarioJson
 import java.nio.file.Files

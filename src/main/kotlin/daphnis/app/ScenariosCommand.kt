@@ -8,9 +8,9 @@ import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.option
 import daphnis.app.describe.Rows
 import daphnis.app.printing.printLines
+import daphnis.core.input.InputException
+import daphnis.core.input.Nearest
 import daphnis.core.scenario.BuiltIn
-import daphnis.core.scenario.InputException
-import daphnis.core.scenario.Nearest
 import daphnis.core.scenario.ScenarioSchema
 
 /** `daphnis scenarios`. */

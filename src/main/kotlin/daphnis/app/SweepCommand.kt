@@ -26,10 +26,10 @@ import daphnis.app.sweep.SweepPlan
 import daphnis.app.sweep.SweepRecord
 import daphnis.app.sweep.SweepWork
 import daphnis.core.format.WholeFile
+import daphnis.core.input.InputException
 import daphnis.core.run.RunDirectory
 import daphnis.core.run.adviceOn
 import daphnis.core.run.engineOf
-import daphnis.core.scenario.InputException
 import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.ScenarioJson
 import daphnis.core.scenario.ScenarioSetup

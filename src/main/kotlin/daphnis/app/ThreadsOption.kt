@@ -5,8 +5,8 @@ import com.github.ajalt.clikt.parameters.options.OptionDelegate
 import com.github.ajalt.clikt.parameters.options.option
 import com.github.ajalt.clikt.parameters.options.validate
 import com.github.ajalt.clikt.parameters.types.int
+import daphnis.core.input.InputException
 import daphnis.core.parallel.ThreadHandler
-import daphnis.core.scenario.InputException
 
 /** `--threads`, a number of threads, or null where it is left out. */
 internal fun ParameterHolder.threadsOption(help: String): OptionDelegate<Int?> =

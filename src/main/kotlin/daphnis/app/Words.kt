@@ -1,7 +1,7 @@
 package daphnis.app
 
-import daphnis.core.scenario.InputException
-import daphnis.core.scenario.inputPath
+import daphnis.core.input.InputException
+import daphnis.core.input.inputPath
 import java.nio.file.Files
 import java.nio.file.Path
 

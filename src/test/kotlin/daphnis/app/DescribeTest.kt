@@ -1,6 +1,6 @@
 package daphnis.app
 
-import daphnis.app.describe.Quantities
+import daphnis.core.input.Quantities
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue

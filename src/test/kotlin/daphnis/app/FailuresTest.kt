@@ -4,8 +4,8 @@ import daphnis.app.printing.noticeInFlags
 import daphnis.core.boundary.Open
 import daphnis.core.format.H5md
 import daphnis.core.format.Snapshot
+import daphnis.core.input.InputException
 import daphnis.core.run.RunException
-import daphnis.core.scenario.InputException
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNull
 import org.junit.jupiter.api.Assertions.assertTrue

@@ -17,7 +17,7 @@ import daphnis.core.cluster.FleetException
 import daphnis.core.cluster.FleetNode
 import daphnis.core.cluster.Mail
 import daphnis.core.cluster.MailClosedException
-import daphnis.core.format.oneLine
+import daphnis.core.input.oneLine
 import org.apache.pekko.actor.ActorSystem
 import java.time.Duration
 import java.util.concurrent.CompletableFuture
@@ -194,7 +194,7 @@ public class ClusterFleet private constructor(
          *
          * @param lines takes lines for the user, from any thread: nodes that were refused
          * @throws FleetException when this process cannot listen, nobody answers, or it is refused
-         * @throws daphnis.core.scenario.InputException when the settings cannot be right
+         * @throws daphnis.core.input.InputException when the settings cannot be right
          */
         @JvmStatic
         public fun join(settings: ClusterSettings, run: String, lines: Consumer<String>): ClusterFleet =

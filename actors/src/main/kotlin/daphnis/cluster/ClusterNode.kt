@@ -14,7 +14,7 @@ import daphnis.cluster.system.OwnGround
 import daphnis.cluster.system.Protocol
 import daphnis.core.cluster.FleetException
 import daphnis.core.cluster.NodeWork
-import daphnis.core.format.oneLine
+import daphnis.core.input.oneLine
 import org.apache.pekko.actor.ActorSystem
 import java.time.Duration
 import java.util.function.Consumer
@@ -53,7 +53,7 @@ public class ClusterNode private constructor(private val process: ClusterProcess
          * @param work is called on a thread of the node's own for each crew, for one at a time
          * @param lines takes lines for the user, from any thread: what the node joined, works in, and was refused
          * @throws FleetException when it cannot listen, nobody answers, or the node is refused
-         * @throws daphnis.core.scenario.InputException when the settings cannot be right
+         * @throws daphnis.core.input.InputException when the settings cannot be right
          */
         @JvmStatic
         public fun start(settings: ClusterSettings, work: NodeWork, lines: Consumer<String>): ClusterNode =

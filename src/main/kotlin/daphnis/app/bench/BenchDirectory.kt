@@ -4,8 +4,8 @@ import daphnis.analysis.plot.Curve
 import daphnis.analysis.plot.ScalingPlot
 import daphnis.analysis.plot.Yardstick
 import daphnis.core.format.WholeFile
+import daphnis.core.input.InputException
 import daphnis.core.run.Version
-import daphnis.core.scenario.InputException
 import java.nio.file.Files
 import java.nio.file.Path
 

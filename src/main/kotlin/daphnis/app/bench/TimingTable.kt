@@ -3,7 +3,7 @@ package daphnis.app.bench
 import daphnis.analysis.plot.Yardstick
 import daphnis.app.describe.counted
 import daphnis.app.describe.spheres
-import daphnis.core.format.oneLine
+import daphnis.core.input.oneLine
 import java.util.Locale
 
 /** Timings of one scenario as a table in Markdown. */

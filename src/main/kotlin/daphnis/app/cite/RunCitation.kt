@@ -4,10 +4,10 @@ import daphnis.core.format.FormatException
 import daphnis.core.format.PackedFile
 import daphnis.core.format.WholeFile
 import daphnis.core.format.reasonOf
+import daphnis.core.input.InputException
 import daphnis.core.run.RecordedRun
 import daphnis.core.run.Summary
 import daphnis.core.run.Version
-import daphnis.core.scenario.InputException
 import daphnis.core.scenario.PlacementSpec
 import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.ScenarioJson

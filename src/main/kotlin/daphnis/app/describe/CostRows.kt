@@ -1,10 +1,11 @@
 package daphnis.app.describe
 
-import daphnis.app.describe.Quantities.Companion.bytes
-import daphnis.app.describe.Quantities.Companion.number
 import daphnis.core.FixedTimeStep
 import daphnis.core.FreePathTimeStep
 import daphnis.core.force.MeshGravity
+import daphnis.core.input.Quantities
+import daphnis.core.input.Quantities.Companion.bytes
+import daphnis.core.input.Quantities.Companion.number
 import daphnis.core.measure
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.run.Course

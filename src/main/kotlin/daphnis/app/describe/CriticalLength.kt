@@ -2,6 +2,7 @@ package daphnis.app.describe
 
 import daphnis.analysis.theory.ShearInstability
 import daphnis.core.initial.fillingFactor
+import daphnis.core.input.Quantities
 import daphnis.core.scenario.ScenarioSetup
 
 /**

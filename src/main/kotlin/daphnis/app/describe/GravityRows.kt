@@ -1,8 +1,9 @@
 package daphnis.app.describe
 
-import daphnis.app.describe.Quantities.Companion.number
 import daphnis.core.force.MeshGravity
 import daphnis.core.force.MutualGravity
+import daphnis.core.input.Quantities
+import daphnis.core.input.Quantities.Companion.number
 import daphnis.core.orbit.OrbitalFrequencies
 import daphnis.core.population.granularTemperature
 import daphnis.core.scenario.ForceSpec
@@ -11,6 +12,7 @@ import daphnis.core.scenario.FrameSpec
 import daphnis.core.scenario.GravityMethod
 import daphnis.core.scenario.ScenarioSetup
 import daphnis.core.scenario.ThermostatSpec
+import daphnis.core.scenario.gravitationalParameter
 import kotlin.math.sqrt
 
 /**
@@ -72,7 +74,7 @@ internal class GravityRows(private val setup: ScenarioSetup, private val say: Qu
         val g = moon.constant ?: scenario.units.gravitationalConstant
         val mass =
             moon.mass
-                ?: scenario.units.gravitationalParameter(planet)?.let { gm -> g?.let { moon.massRatio!! * gm / it } }
+                ?: planet.gravitationalParameter(scenario.units)?.let { gm -> g?.let { moon.massRatio!! * gm / it } }
         val size = if (moon.radius > 0) "radius ${say.length(moon.radius)}" else "a point"
         return listOfNotNull(
             "satellite of ${mass?.let { say.mass(it) } ?: "mass ratio ${number(moon.massRatio!!)}"}",

@@ -1,5 +1,6 @@
 package daphnis.app.describe
 
+import daphnis.core.input.Quantities
 import daphnis.core.scenario.ScenarioSetup
 
 /** What spheres are made of, and how materials collide where that is not as for all. */

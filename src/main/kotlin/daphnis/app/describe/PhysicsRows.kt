@@ -1,8 +1,9 @@
 package daphnis.app.describe
 
-import daphnis.app.describe.Quantities.Companion.number
 import daphnis.core.boundary.ContactFaces
 import daphnis.core.initial.fillingFactor
+import daphnis.core.input.Quantities
+import daphnis.core.input.Quantities.Companion.number
 import daphnis.core.orbit.OrbitalFrequencies
 import daphnis.core.population.granularTemperature
 import daphnis.core.scenario.FrameSpec

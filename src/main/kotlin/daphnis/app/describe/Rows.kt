@@ -1,6 +1,6 @@
 package daphnis.app.describe
 
-import daphnis.core.format.oneLine
+import daphnis.core.input.oneLine
 
 /**
  * A description as rows of a label and a text; a label that is repeated is left out.

@@ -1,6 +1,7 @@
 package daphnis.app.describe
 
-import daphnis.app.describe.Quantities.Companion.number
+import daphnis.core.input.Quantities
+import daphnis.core.input.Quantities.Companion.number
 import daphnis.core.scenario.ThermostatSpec
 
 /** Thermostats in words. */

@@ -5,7 +5,7 @@ import com.github.ajalt.clikt.parameters.options.option
 import com.github.ajalt.clikt.parameters.options.optionalValue
 import com.github.ajalt.clikt.parameters.types.int
 import daphnis.app.printing.printLine
-import daphnis.core.scenario.InputException
+import daphnis.core.input.InputException
 
 /** The option of commands that can be looked at while they run. */
 internal class LiveOption : OptionGroup() {

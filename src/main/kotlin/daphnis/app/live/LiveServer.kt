@@ -3,7 +3,7 @@ package daphnis.app.live
 import com.sun.net.httpserver.HttpExchange
 import com.sun.net.httpserver.HttpServer
 import daphnis.core.format.reasonOf
-import daphnis.core.scenario.InputException
+import daphnis.core.input.InputException
 import java.io.IOException
 import java.net.InetAddress
 import java.net.InetSocketAddress

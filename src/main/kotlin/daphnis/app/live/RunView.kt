@@ -10,12 +10,12 @@ import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.ContactFaces
 import daphnis.core.format.Snapshot
+import daphnis.core.input.InputException
+import daphnis.core.input.WayOut
 import daphnis.core.population.Population
 import daphnis.core.run.RecordedRun
 import daphnis.core.run.SeriesColumns
-import daphnis.core.scenario.InputException
 import daphnis.core.scenario.Surroundings
-import daphnis.core.scenario.WayOut
 import kotlinx.serialization.json.JsonPrimitive
 import java.nio.file.Files
 import java.nio.file.attribute.FileTime

@@ -1,7 +1,7 @@
 package daphnis.app.live
 
 import daphnis.core.format.FormatException
-import daphnis.core.scenario.InputException
+import daphnis.core.input.InputException
 import java.util.concurrent.TimeUnit
 import java.util.concurrent.locks.ReentrantLock
 import kotlin.concurrent.withLock

@@ -4,7 +4,7 @@
  */
 package daphnis.app.printing
 
-import daphnis.core.format.oneLine
+import daphnis.core.input.oneLine
 
 /** Prints [text] in one line, whatever stands in it. */
 internal fun printLine(text: String): Unit = println(oneLine(text))

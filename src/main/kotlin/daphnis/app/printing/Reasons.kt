@@ -3,9 +3,9 @@ package daphnis.app.printing
 import daphnis.core.cluster.FleetException
 import daphnis.core.format.FormatException
 import daphnis.core.format.reasonOf
+import daphnis.core.input.InputException
+import daphnis.core.input.WayOut
 import daphnis.core.run.RunException
-import daphnis.core.scenario.InputException
-import daphnis.core.scenario.WayOut
 import java.io.IOException
 import java.nio.file.InvalidPathException
 

@@ -1,9 +1,9 @@
 package daphnis.app.progress
 
 import daphnis.analysis.table.UnitNames
+import daphnis.core.input.UnitsSpec
 import daphnis.core.scenario.FrameSetup
 import daphnis.core.scenario.ScenarioParts
-import daphnis.core.scenario.UnitsSpec
 import daphnis.core.table.UnitsOfDimensions
 import java.math.BigDecimal
 import java.math.MathContext

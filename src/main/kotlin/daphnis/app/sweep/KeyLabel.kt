@@ -1,7 +1,7 @@
 package daphnis.app.sweep
 
 import daphnis.analysis.table.UnitNames
-import daphnis.core.scenario.UnitsSpec
+import daphnis.core.input.UnitsSpec
 import daphnis.core.table.Dimension
 import daphnis.core.table.UnitsOfDimensions
 

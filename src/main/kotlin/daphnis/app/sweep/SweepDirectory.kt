@@ -1,7 +1,7 @@
 package daphnis.app.sweep
 
+import daphnis.core.input.InputException
 import daphnis.core.run.RunLock
-import daphnis.core.scenario.InputException
 import java.nio.file.Files
 import java.nio.file.Path
 

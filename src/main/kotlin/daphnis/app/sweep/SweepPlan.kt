@@ -1,6 +1,6 @@
 package daphnis.app.sweep
 
-import daphnis.core.scenario.InputException
+import daphnis.core.input.InputException
 
 /** A key of the scenario with the [values] that it takes, one or more, as they were given. */
 internal class SweptKey(val path: String, val values: List<String>)

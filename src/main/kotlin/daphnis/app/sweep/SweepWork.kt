@@ -10,6 +10,8 @@ import daphnis.analysis.table.UnitNames
 import daphnis.core.Output
 import daphnis.core.engine.EngineFactory
 import daphnis.core.format.FormatException
+import daphnis.core.input.InputException
+import daphnis.core.input.WayOut
 import daphnis.core.population.Population
 import daphnis.core.run.Run
 import daphnis.core.run.RunDirectory
@@ -17,12 +19,10 @@ import daphnis.core.run.RunRecord
 import daphnis.core.run.Summary
 import daphnis.core.run.differences
 import daphnis.core.scenario.FrameSetup
-import daphnis.core.scenario.InputException
 import daphnis.core.scenario.ResolvedScenario
 import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.ScenarioJson
 import daphnis.core.scenario.ScenarioSetup
-import daphnis.core.scenario.WayOut
 import java.nio.file.Files
 import java.nio.file.Path
 

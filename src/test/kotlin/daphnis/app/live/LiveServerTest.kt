@@ -1,6 +1,6 @@
 package daphnis.app.live
 
-import daphnis.core.scenario.InputException
+import daphnis.core.input.InputException
 import org.junit.jupiter.api.AfterEach
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows

@@ -12,8 +12,8 @@ import daphnis.app.pathsLast
 import daphnis.app.sweep.SweepPlan
 import daphnis.app.understood
 import daphnis.core.Repository
+import daphnis.core.input.InputException
 import daphnis.core.scenario.BuiltIn
-import daphnis.core.scenario.InputException
 import daphnis.core.scenario.ScenarioSetup
 import java.nio.file.Files
 import kotlin.io.path.extension

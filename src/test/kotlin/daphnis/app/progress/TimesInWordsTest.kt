@@ -1,7 +1,7 @@
 package daphnis.app.progress
 
+import daphnis.core.input.UnitsSpec
 import daphnis.core.scenario.BuiltIn
-import daphnis.core.scenario.UnitsSpec
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Test
 import kotlin.math.PI

@@ -1,6 +1,6 @@
 package daphnis.app.sweep
 
-import daphnis.core.scenario.UnitsSpec
+import daphnis.core.input.UnitsSpec
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Test
 

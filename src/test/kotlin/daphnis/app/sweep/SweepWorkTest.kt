@@ -2,9 +2,9 @@ package daphnis.app.sweep
 
 import daphnis.core.Engines
 import daphnis.core.format.FormatException
+import daphnis.core.input.InputException
 import daphnis.core.run.Summary
 import daphnis.core.scenario.BuiltIn
-import daphnis.core.scenario.InputException
 import kotlinx.serialization.json.JsonPrimitive
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNull

@@ -1,6 +1,6 @@
 package daphnis.cluster.hosts
 
-import daphnis.core.scenario.InputException
+import daphnis.core.input.InputException
 
 /**
  * Where a process of a cluster is reached.

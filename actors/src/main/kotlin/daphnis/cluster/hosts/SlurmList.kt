@@ -1,6 +1,6 @@
 package daphnis.cluster.hosts
 
-import daphnis.core.scenario.InputException
+import daphnis.core.input.InputException
 
 /** The list of hosts that Slurm gives a job, such as `n[001-003,07],login2`. */
 public object SlurmList {

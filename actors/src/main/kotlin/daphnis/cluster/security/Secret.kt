@@ -1,6 +1,6 @@
 package daphnis.cluster.security
 
-import daphnis.core.scenario.InputException
+import daphnis.core.input.InputException
 import java.io.IOException
 import java.nio.ByteBuffer
 import java.nio.file.Files

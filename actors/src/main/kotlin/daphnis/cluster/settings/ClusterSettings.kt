@@ -2,9 +2,9 @@ package daphnis.cluster.settings
 
 import daphnis.cluster.hosts.HostPort
 import daphnis.cluster.security.Secret
+import daphnis.core.input.InputException
+import daphnis.core.input.WayOut
 import daphnis.core.parallel.ThreadHandler
-import daphnis.core.scenario.InputException
-import daphnis.core.scenario.WayOut
 import java.nio.file.Path
 import java.time.Duration
 

@@ -5,8 +5,8 @@ import com.typesafe.config.ConfigException
 import com.typesafe.config.ConfigFactory
 import daphnis.cluster.hosts.HostPort
 import daphnis.cluster.link.LinkLimits
-import daphnis.core.scenario.InputException
-import daphnis.core.scenario.WayOut
+import daphnis.core.input.InputException
+import daphnis.core.input.WayOut
 import java.net.InetAddress
 import java.net.UnknownHostException
 import java.nio.file.Files

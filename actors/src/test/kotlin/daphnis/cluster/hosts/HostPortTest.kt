@@ -1,6 +1,6 @@
 package daphnis.cluster.hosts
 
-import daphnis.core.scenario.InputException
+import daphnis.core.input.InputException
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue

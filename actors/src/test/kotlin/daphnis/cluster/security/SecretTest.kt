@@ -1,6 +1,6 @@
 package daphnis.cluster.security
 
-import daphnis.core.scenario.InputException
+import daphnis.core.input.InputException
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse

@@ -1,7 +1,7 @@
 package daphnis.cluster.settings
 
 import daphnis.cluster.security.Secret
-import daphnis.core.scenario.InputException
+import daphnis.core.input.InputException
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertThrows

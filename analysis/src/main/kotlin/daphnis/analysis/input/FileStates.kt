@@ -3,10 +3,10 @@ package daphnis.analysis.input
 import daphnis.core.format.FormatException
 import daphnis.core.format.Snapshot
 import daphnis.core.format.SnapshotFormats
+import daphnis.core.input.InputException
+import daphnis.core.input.WayOut
 import daphnis.core.scenario.BoxDifference
-import daphnis.core.scenario.InputException
 import daphnis.core.scenario.Surroundings
-import daphnis.core.scenario.WayOut
 import java.nio.file.Path
 import kotlin.math.abs
 

@@ -5,9 +5,9 @@ import daphnis.core.boundary.Box
 import daphnis.core.boundary.Periodic
 import daphnis.core.format.FormatException
 import daphnis.core.format.Snapshot
+import daphnis.core.input.InputException
 import daphnis.core.population.Population
 import daphnis.core.run.RunDirectory
-import daphnis.core.scenario.InputException
 
 private const val MOST_BOXES = 1_000_000
 

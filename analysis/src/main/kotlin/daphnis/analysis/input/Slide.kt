@@ -1,7 +1,7 @@
 package daphnis.analysis.input
 
 import daphnis.core.format.Snapshot
-import daphnis.core.scenario.WayOut
+import daphnis.core.input.WayOut
 import java.nio.file.Path
 import kotlin.math.abs
 import kotlin.math.sqrt

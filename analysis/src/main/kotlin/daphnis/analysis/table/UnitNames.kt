@@ -1,6 +1,6 @@
 package daphnis.analysis.table
 
-import daphnis.core.scenario.UnitsSpec
+import daphnis.core.input.UnitsSpec
 import daphnis.core.table.Dimension
 import daphnis.core.table.UnitsOfDimensions
 

@@ -10,9 +10,9 @@ import daphnis.core.format.ExportOptions
 import daphnis.core.format.FormatException
 import daphnis.core.format.Snapshot
 import daphnis.core.format.SnapshotFormats
+import daphnis.core.input.InputException
 import daphnis.core.population.VelocityMoments
 import daphnis.core.scenario.BuiltIn
-import daphnis.core.scenario.InputException
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse

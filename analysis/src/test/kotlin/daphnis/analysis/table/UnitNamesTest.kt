@@ -1,6 +1,6 @@
 package daphnis.analysis.table
 
-import daphnis.core.scenario.UnitsSpec
+import daphnis.core.input.UnitsSpec
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Test
 

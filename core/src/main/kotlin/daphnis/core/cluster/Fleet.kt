@@ -1,6 +1,6 @@
 package daphnis.core.cluster
 
-import daphnis.core.format.oneLine
+import daphnis.core.input.oneLine
 
 /**
  * The nodes that can work for a run, as its leader sees them. Nodes come and go at any time. Any thread may call.

@@ -8,8 +8,8 @@ import daphnis.core.engine.CollisionForcing
 import daphnis.core.engine.EngineFactory
 import daphnis.core.force.MutualGravity
 import daphnis.core.force.RadialGravity
+import daphnis.core.input.InputException
 import daphnis.core.population.Population
-import daphnis.core.scenario.InputException
 import daphnis.core.scenario.ScenarioSetup
 import daphnis.core.scenario.WallFacesSpec
 import java.time.Duration

@@ -2,6 +2,7 @@ package daphnis.core.format
 
 import daphnis.core.format.Kept.Presence.IF_THERE
 import daphnis.core.format.hdf5.Hdf5File
+import daphnis.core.input.SiUnits
 import daphnis.core.population.SphereQuantity.Change.NEVER
 import java.io.IOException
 import java.nio.file.Path

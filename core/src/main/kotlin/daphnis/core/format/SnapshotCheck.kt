@@ -1,5 +1,6 @@
 package daphnis.core.format
 
+import daphnis.core.input.ValueCheck
 import daphnis.core.population.SphereQuantity
 import kotlin.math.abs
 
@@ -104,8 +105,8 @@ internal class SnapshotCheck private constructor(private val snapshot: Snapshot,
 
     companion object {
         /** Bounds on sizes, those of [daphnis.core.search.Scales]. */
-        const val LEAST: Double = 1e-70
-        const val MOST: Double = 1e70
+        const val LEAST: Double = ValueCheck.LEAST
+        const val MOST: Double = ValueCheck.MOST
 
         /** Bound on coordinates, times and speeds, whose squares are finite. */
         private const val FARTHEST = 1e150

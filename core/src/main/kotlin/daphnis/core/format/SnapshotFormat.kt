@@ -1,5 +1,6 @@
 package daphnis.core.format
 
+import daphnis.core.input.SiUnits
 import java.io.IOException
 import java.nio.file.Path
 

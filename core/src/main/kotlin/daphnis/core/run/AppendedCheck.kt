@@ -1,7 +1,7 @@
 package daphnis.core.run
 
 import daphnis.core.format.reasonOf
-import daphnis.core.scenario.InputException
+import daphnis.core.input.InputException
 import java.io.IOException
 import java.io.RandomAccessFile
 import java.nio.file.Files

@@ -1,8 +1,8 @@
 package daphnis.core.run
 
 import daphnis.core.OutputState
-import daphnis.core.scenario.InputException
-import daphnis.core.scenario.WayOut
+import daphnis.core.input.InputException
+import daphnis.core.input.WayOut
 import java.nio.file.Files
 import java.nio.file.Path
 

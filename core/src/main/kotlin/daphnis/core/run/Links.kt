@@ -1,6 +1,6 @@
 package daphnis.core.run
 
-import daphnis.core.scenario.InputException
+import daphnis.core.input.InputException
 import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.LinkOption.NOFOLLOW_LINKS

@@ -4,11 +4,11 @@ import daphnis.core.format.H5md
 import daphnis.core.format.Snapshot
 import daphnis.core.format.WholeFile
 import daphnis.core.format.reasonOf
-import daphnis.core.scenario.InputException
+import daphnis.core.input.InputException
+import daphnis.core.input.WayOut
 import daphnis.core.scenario.PlacementSpec
 import daphnis.core.scenario.ResolvedScenario
 import daphnis.core.scenario.ScenarioJson
-import daphnis.core.scenario.WayOut
 import java.io.IOException
 import java.nio.file.FileAlreadyExistsException
 import java.nio.file.Files

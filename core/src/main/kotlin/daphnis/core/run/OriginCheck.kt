@@ -1,10 +1,10 @@
 package daphnis.core.run
 
 import daphnis.core.boundary.BoundaryConditions
+import daphnis.core.input.InputException
 import daphnis.core.scenario.BoundarySpec
 import daphnis.core.scenario.FrameSetup
 import daphnis.core.scenario.GrowthSpec
-import daphnis.core.scenario.InputException
 import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.Surroundings
 import daphnis.core.scenario.WallFacesSpec

@@ -2,9 +2,9 @@
 
 package daphnis.core.run
 
+import daphnis.core.input.inputPath
 import daphnis.core.scenario.PlacementSpec
 import daphnis.core.scenario.Scenario
-import daphnis.core.scenario.inputPath
 import java.nio.file.Path
 
 /** The scenario with a relative particle file taken from [home]. */

@@ -2,7 +2,7 @@ package daphnis.core.run
 
 import daphnis.core.format.PackedFile
 import daphnis.core.format.reasonOf
-import daphnis.core.scenario.InputException
+import daphnis.core.input.InputException
 import kotlinx.serialization.Serializable
 import kotlinx.serialization.json.Json
 import java.io.IOException

@@ -2,9 +2,9 @@ package daphnis.core.run
 
 import daphnis.core.Interval
 import daphnis.core.hill.HillFrame
+import daphnis.core.input.InputException
 import daphnis.core.population.Population
 import daphnis.core.population.PopulationSums
-import daphnis.core.scenario.InputException
 import daphnis.core.scenario.IntervalUnit
 import daphnis.core.scenario.OutputSpec
 import daphnis.core.wave.ModeSums

@@ -2,7 +2,7 @@ package daphnis.core.run
 
 import daphnis.core.format.FormatException
 import daphnis.core.format.Snapshot
-import daphnis.core.scenario.InputException
+import daphnis.core.input.InputException
 import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.ScenarioJson
 import java.nio.file.Files

@@ -3,7 +3,7 @@ package daphnis.core.run
 import daphnis.core.Engines
 import daphnis.core.Output
 import daphnis.core.engine.EngineFactory
-import daphnis.core.scenario.InputException
+import daphnis.core.input.InputException
 import java.nio.file.Path
 import java.util.function.BooleanSupplier
 

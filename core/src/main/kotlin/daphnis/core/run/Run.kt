@@ -6,7 +6,7 @@ import daphnis.core.Simulation
 import daphnis.core.cluster.FleetException
 import daphnis.core.cluster.NodeException
 import daphnis.core.engine.EngineFactory
-import daphnis.core.scenario.InputException
+import daphnis.core.input.InputException
 import daphnis.core.scenario.ResolvedScenario
 import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.warnings

@@ -8,7 +8,7 @@ import daphnis.core.format.Snapshot
 import daphnis.core.format.SnapshotFormats
 import daphnis.core.format.WholeFile
 import daphnis.core.format.reasonOf
-import daphnis.core.scenario.InputException
+import daphnis.core.input.InputException
 import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path

@@ -1,8 +1,8 @@
 package daphnis.core.run
 
 import daphnis.core.closeAll
-import daphnis.core.scenario.InputException
-import daphnis.core.scenario.UnitsSpec
+import daphnis.core.input.InputException
+import daphnis.core.input.UnitsSpec
 import daphnis.core.table.Columns
 import daphnis.core.table.UnitsOfDimensions
 import java.nio.file.Files

@@ -2,10 +2,10 @@ package daphnis.core.run
 
 import daphnis.core.format.Snapshot
 import daphnis.core.format.reasonOf
+import daphnis.core.input.InputException
 import daphnis.core.scenario.BoundarySpec
 import daphnis.core.scenario.ClockSpec
 import daphnis.core.scenario.GuardSpec
-import daphnis.core.scenario.InputException
 import daphnis.core.scenario.PlacementSpec
 import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.Surroundings

@@ -5,16 +5,16 @@ import daphnis.core.Output
 import daphnis.core.TimeStep
 import daphnis.core.engine.EngineFactory
 import daphnis.core.format.reasonOf
+import daphnis.core.input.InputException
+import daphnis.core.input.ValueCheck
+import daphnis.core.input.wrongArgument
 import daphnis.core.scenario.FrameSetup
 import daphnis.core.scenario.GrowthSetup
-import daphnis.core.scenario.InputException
 import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.ScenarioJson
 import daphnis.core.scenario.ScenarioSetup
 import daphnis.core.scenario.TimeStepSpec
-import daphnis.core.scenario.ValueCheck
 import daphnis.core.scenario.warnings
-import daphnis.core.scenario.wrongArgument
 import java.io.IOException
 import java.nio.file.Files
 

@@ -2,15 +2,15 @@
 
 package daphnis.core.run
 
+import daphnis.core.input.InputException
+import daphnis.core.input.ValueCheck
 import daphnis.core.scenario.GuardSpec
-import daphnis.core.scenario.InputException
 import daphnis.core.scenario.OutputTimesCheck
 import daphnis.core.scenario.PlacementSpec
 import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.ScenarioJson
 import daphnis.core.scenario.Surroundings
 import daphnis.core.scenario.TimeStepSpec
-import daphnis.core.scenario.ValueCheck
 import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path

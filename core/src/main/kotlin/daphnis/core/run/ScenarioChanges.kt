@@ -1,7 +1,7 @@
 package daphnis.core.run
 
+import daphnis.core.input.InputException
 import daphnis.core.scenario.GrowthSpec
-import daphnis.core.scenario.InputException
 import daphnis.core.scenario.OutputSpec
 import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.ScenarioJson

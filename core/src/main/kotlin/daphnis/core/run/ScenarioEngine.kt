@@ -5,8 +5,8 @@ package daphnis.core.run
 import daphnis.core.Engines
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.EngineFactory
-import daphnis.core.scenario.InputException
-import daphnis.core.scenario.Nearest
+import daphnis.core.input.InputException
+import daphnis.core.input.Nearest
 import daphnis.core.scenario.ScenarioParts
 
 /** What to write in place of [name], which is that of no engine of [engines]. */

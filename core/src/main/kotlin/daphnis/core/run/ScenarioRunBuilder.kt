@@ -3,8 +3,8 @@ package daphnis.core.run
 import daphnis.core.Engines
 import daphnis.core.Output
 import daphnis.core.engine.EngineFactory
+import daphnis.core.input.InputException
 import daphnis.core.scenario.FrameSetup
-import daphnis.core.scenario.InputException
 import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.ScenarioJson
 import daphnis.core.scenario.TimeStepSpec

@@ -3,6 +3,7 @@ package daphnis.core.scenario
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.ContactFaces
 import daphnis.core.initial.Obstacle
+import daphnis.core.input.ValueCheck
 import daphnis.core.population.MeanFlow
 import daphnis.core.space.Space
 

@@ -5,6 +5,8 @@ import daphnis.core.boundary.Box
 import daphnis.core.boundary.OpenPlane
 import daphnis.core.boundary.Piston
 import daphnis.core.boundary.WallSurface
+import daphnis.core.input.InputException
+import daphnis.core.input.ValueCheck
 import daphnis.core.orbit.OrbitalFrequencies
 import kotlinx.serialization.SerialName
 import kotlinx.serialization.Serializable

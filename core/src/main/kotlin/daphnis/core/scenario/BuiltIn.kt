@@ -1,5 +1,7 @@
 package daphnis.core.scenario
 
+import daphnis.core.input.InputException
+import daphnis.core.input.Nearest
 import java.io.IOException
 import java.io.UncheckedIOException
 

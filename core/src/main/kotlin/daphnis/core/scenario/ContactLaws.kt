@@ -1,5 +1,6 @@
 package daphnis.core.scenario
 
+import daphnis.core.input.ValueCheck
 import daphnis.core.surface.ContactLaw
 import daphnis.core.surface.MaterialLaws
 import daphnis.core.surface.MaterialRoughness

@@ -3,6 +3,7 @@ package daphnis.core.scenario
 import daphnis.core.boundary.Box
 import daphnis.core.initial.EqualSizes
 import daphnis.core.initial.SeededRandom
+import daphnis.core.input.ValueCheck
 import kotlin.math.ceil
 
 /** Radii of spheres, and the number of the kind of each. */

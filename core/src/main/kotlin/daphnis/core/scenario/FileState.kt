@@ -6,6 +6,8 @@ import daphnis.core.format.Snapshot
 import daphnis.core.format.SnapshotFormats
 import daphnis.core.format.Species
 import daphnis.core.initial.SeededRandom
+import daphnis.core.input.ValueCheck
+import daphnis.core.input.inputPath
 import daphnis.core.population.Population
 import daphnis.core.population.SphereQuantity
 import java.nio.file.Files

@@ -4,6 +4,8 @@ import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.force.Drift
 import daphnis.core.force.Force
 import daphnis.core.force.UniformAcceleration
+import daphnis.core.input.InputException
+import daphnis.core.input.ValueCheck
 import daphnis.core.parallel.onThreads
 import daphnis.core.population.Population
 import daphnis.core.search.Reach

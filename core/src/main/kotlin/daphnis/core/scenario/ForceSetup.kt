@@ -7,6 +7,7 @@ import daphnis.core.force.UniformAcceleration
 import daphnis.core.hill.HillFrame
 import daphnis.core.hill.Satellite
 import daphnis.core.hill.SatelliteSurface
+import daphnis.core.input.ValueCheck
 import daphnis.core.orbit.OrbitalFrequencies
 
 /** Makes the forces of a scenario; a satellite with a radius also adds to the boundary conditions. */
@@ -81,7 +82,7 @@ internal class ForceSetup(
             check.must("$key.constant", spec.constant == null) {
                 "goes with mass; the pull of a massRatio follows from the planet"
             }
-            val parameter = scenario.units.gravitationalParameter(scenario.frame as FrameSpec.Hill)
+            val parameter = (scenario.frame as FrameSpec.Hill).gravitationalParameter(scenario.units)
                 ?: check.fail("units.lengthInMetres", "is missing; the mass ratio of a satellite needs it")
             spec.massRatio * parameter
         }

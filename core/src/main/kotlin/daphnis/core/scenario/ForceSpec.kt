@@ -1,6 +1,7 @@
 package daphnis.core.scenario
 
 import daphnis.core.hill.Epicycle
+import daphnis.core.input.Nearest
 import kotlinx.serialization.EncodeDefault
 import kotlinx.serialization.ExperimentalSerializationApi
 import kotlinx.serialization.SerialName

@@ -1,6 +1,9 @@
 package daphnis.core.scenario
 
 import daphnis.core.boundary.BoundaryConditions
+import daphnis.core.input.InputException
+import daphnis.core.input.UnitsSpec
+import daphnis.core.input.ValueCheck
 import daphnis.core.orbit.OrbitalFrequencies
 import kotlinx.serialization.Serializable
 
@@ -21,6 +24,13 @@ public class OblatenessSpec @JvmOverloads constructor(
 internal val FrameSpec.Hill.gravitationalParameterInSi: Double
     get() = gravitationalParameter?.let { it * METRES_PER_KM * METRES_PER_KM * METRES_PER_KM }
         ?: planet.gravitationalParameter
+
+/** GM of the planet in length³/time² of [units]; null when the length is not known. */
+public fun FrameSpec.Hill.gravitationalParameter(units: UnitsSpec): Double? {
+    val length = units.lengthInMetres ?: return null
+    val time = units.timeInSeconds ?: return null
+    return gravitationalParameterInSi * time * time / (length * length * length)
+}
 
 /** A scenario's frame in its units, and times given in orbits. */
 public object FrameSetup {
@@ -69,7 +79,7 @@ public object FrameSetup {
         val frame = scenario.frame as? FrameSpec.Hill ?: return null
         val metres = scenario.units.lengthInMetres ?: return null
         frame.distanceInKm?.let { return it * METRES_PER_KM / metres }
-        val planet = scenario.units.gravitationalParameter(frame) ?: return null
+        val planet = frame.gravitationalParameter(scenario.units) ?: return null
         return StrictMath.cbrt(planet / (frequencies.omega * frequencies.omega))
     }
 

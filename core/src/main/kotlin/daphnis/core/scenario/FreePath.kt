@@ -4,6 +4,7 @@ import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.ContactFaces
 import daphnis.core.boundary.roomIn
+import daphnis.core.input.ValueCheck
 import daphnis.core.population.Population
 import daphnis.core.space.Space
 import kotlin.math.abs

@@ -4,6 +4,7 @@ import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
 import daphnis.core.compression.GrowingSpheres
 import daphnis.core.initial.fillingFactor
+import daphnis.core.input.ValueCheck
 import daphnis.core.population.Population
 import kotlinx.serialization.Serializable
 import java.util.Locale

@@ -2,9 +2,9 @@ package daphnis.core.scenario
 
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.hasRoughWalls
-import daphnis.core.format.SnapshotCheck
 import daphnis.core.initial.GaussianVelocities
 import daphnis.core.initial.SeededRandom
+import daphnis.core.input.ValueCheck
 import daphnis.core.population.Population
 import kotlin.math.abs
 import kotlin.math.sqrt
@@ -62,9 +62,9 @@ internal class InitialSpins(
         }
         for (column in w) {
             for (k in column.indices) {
-                check.must("spins", abs(column[k]) * population.radius[k] <= SnapshotCheck.MOST) {
+                check.must("spins", abs(column[k]) * population.radius[k] <= ValueCheck.MOST) {
                     "make the surface of particle ${population.id[k]} move with a speed of " +
-                        "${abs(column[k]) * population.radius[k]}; it must be at most ${SnapshotCheck.MOST}"
+                        "${abs(column[k]) * population.radius[k]}; it must be at most ${ValueCheck.MOST}"
                 }
             }
         }

@@ -17,6 +17,7 @@ import daphnis.core.initial.Positions
 import daphnis.core.initial.RandomPlacement
 import daphnis.core.initial.SeededRandom
 import daphnis.core.initial.fillingFactor
+import daphnis.core.input.ValueCheck
 import daphnis.core.population.Population
 
 /**

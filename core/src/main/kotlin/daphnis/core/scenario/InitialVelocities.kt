@@ -5,6 +5,7 @@ import daphnis.core.initial.GaussianVelocities
 import daphnis.core.initial.Positions
 import daphnis.core.initial.SeededRandom
 import daphnis.core.initial.UniformVelocities
+import daphnis.core.input.ValueCheck
 import daphnis.core.population.Population
 import daphnis.core.population.granularTemperature
 import kotlin.math.sqrt

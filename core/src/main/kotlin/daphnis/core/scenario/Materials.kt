@@ -1,5 +1,7 @@
 package daphnis.core.scenario
 
+import daphnis.core.input.Nearest
+import daphnis.core.input.ValueCheck
 import daphnis.core.population.MaterialNames
 import kotlin.math.abs
 

@@ -2,6 +2,7 @@ package daphnis.core.scenario
 
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.hill.Epicycle
+import daphnis.core.input.ValueCheck
 import daphnis.core.orbit.OrbitalFrequencies
 import daphnis.core.population.Population
 import kotlin.math.abs

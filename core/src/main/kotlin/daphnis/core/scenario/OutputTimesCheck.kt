@@ -1,6 +1,7 @@
 package daphnis.core.scenario
 
 import daphnis.core.Interval
+import daphnis.core.input.ValueCheck
 import daphnis.core.wave.ModeSums
 import kotlin.math.abs
 

@@ -54,7 +54,7 @@ private fun gap(box: Box, moon: ForceSpec.Satellite): Double =
 private fun satelliteStrength(scenario: ScenarioParts, moon: ForceSpec.Satellite): Double? = when {
     moon.mass != null -> (moon.constant ?: scenario.units.gravitationalConstant)?.let { it * moon.mass }
     else -> (scenario.frame as? FrameSpec.Hill)?.let { frame ->
-        scenario.units.gravitationalParameter(frame)?.let { it * (moon.massRatio ?: 0.0) }
+        frame.gravitationalParameter(scenario.units)?.let { it * (moon.massRatio ?: 0.0) }
     }
 }
 

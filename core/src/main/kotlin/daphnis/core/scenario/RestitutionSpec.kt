@@ -6,6 +6,7 @@ import daphnis.core.collision.ConstantRestitution
 import daphnis.core.collision.StepRestitution
 import daphnis.core.collision.TableRestitution
 import daphnis.core.collision.ViscoelasticRestitution
+import daphnis.core.input.ValueCheck
 import daphnis.core.space.Space
 import daphnis.core.surface.ContactLaw
 import kotlinx.serialization.SerialName

@@ -1,5 +1,6 @@
 package daphnis.core.scenario
 
+import daphnis.core.input.ValueCheck
 import daphnis.core.surface.ConstantRoughness
 import daphnis.core.surface.CoulombRoughness
 import daphnis.core.surface.Roughness

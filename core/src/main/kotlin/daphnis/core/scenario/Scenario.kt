@@ -2,6 +2,8 @@ package daphnis.core.scenario
 
 import daphnis.core.Engines
 import daphnis.core.engine.EngineFactory
+import daphnis.core.input.Planet
+import daphnis.core.input.UnitsSpec
 import daphnis.core.parallel.ThreadHandler
 import daphnis.core.search.SearchStructure
 import daphnis.core.space.Space

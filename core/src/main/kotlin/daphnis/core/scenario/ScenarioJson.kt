@@ -2,6 +2,7 @@ package daphnis.core.scenario
 
 import daphnis.core.format.PackedFile
 import daphnis.core.format.reasonOf
+import daphnis.core.input.InputException
 import kotlinx.serialization.ExperimentalSerializationApi
 import kotlinx.serialization.SerializationException
 import kotlinx.serialization.json.Json

@@ -1,6 +1,7 @@
 package daphnis.core.scenario
 
 import daphnis.core.Clock
+import daphnis.core.input.UnitsSpec
 import daphnis.core.search.SearchStructure
 import daphnis.core.space.Space
 

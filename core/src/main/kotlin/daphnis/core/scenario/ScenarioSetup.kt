@@ -19,6 +19,8 @@ import daphnis.core.engine.CollisionForcing
 import daphnis.core.engine.SerialEngine
 import daphnis.core.force.Force
 import daphnis.core.format.Snapshot
+import daphnis.core.input.InputException
+import daphnis.core.input.ValueCheck
 import daphnis.core.measure
 import daphnis.core.orbit.OrbitalFrequencies
 import daphnis.core.parallel.InlineLoop

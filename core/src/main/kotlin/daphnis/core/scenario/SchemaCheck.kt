@@ -1,5 +1,7 @@
 package daphnis.core.scenario
 
+import daphnis.core.input.InputException
+import daphnis.core.input.Nearest
 import kotlinx.serialization.ExperimentalSerializationApi
 import kotlinx.serialization.descriptors.PolymorphicKind
 import kotlinx.serialization.descriptors.PrimitiveKind

@@ -5,6 +5,7 @@ import daphnis.core.force.Force
 import daphnis.core.force.MeshGravity
 import daphnis.core.force.RadialGravity
 import daphnis.core.force.SelfGravity
+import daphnis.core.input.ValueCheck
 
 /** Makes the gravity among all spheres of a scenario, by the method that it names. */
 internal class SelfGravitySetup(private val boundary: BoundaryConditions, private val check: ValueCheck) {

@@ -1,5 +1,7 @@
 package daphnis.core.scenario
 
+import daphnis.core.input.Nearest
+import daphnis.core.input.wrongArgument
 import kotlinx.serialization.SerializationException
 import kotlinx.serialization.json.Json
 import kotlinx.serialization.json.JsonArray

@@ -1,11 +1,11 @@
 package daphnis.core.scenario
 
-import daphnis.core.format.SnapshotCheck
 import daphnis.core.initial.EqualSizes
 import daphnis.core.initial.ListedSizes
 import daphnis.core.initial.LogNormalSizes
 import daphnis.core.initial.PowerLawSizes
 import daphnis.core.initial.SizeDistribution
+import daphnis.core.input.ValueCheck
 import daphnis.core.space.Space
 
 /**
@@ -47,8 +47,8 @@ internal class SphereKind private constructor(
             is SizesSpec.Listed -> spec.radii.min() to spec.radii.max()
         }
         for (r in listOf(least, most)) {
-            check.must("$key.sizes", r in SnapshotCheck.LEAST..SnapshotCheck.MOST) {
-                "a radius is $r; it must be > 0, ${SnapshotCheck.LEAST} to ${SnapshotCheck.MOST}"
+            check.must("$key.sizes", r in ValueCheck.LEAST..ValueCheck.MOST) {
+                "a radius is $r; it must be > 0, ${ValueCheck.LEAST} to ${ValueCheck.MOST}"
             }
         }
         this.least = least

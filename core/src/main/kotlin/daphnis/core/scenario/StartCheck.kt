@@ -7,7 +7,7 @@ import daphnis.core.boundary.ContactFaces
 import daphnis.core.boundary.ShearedPeriodic
 import daphnis.core.boundary.roomAt
 import daphnis.core.force.mesh.MeshPoints
-import daphnis.core.format.SnapshotCheck
+import daphnis.core.input.ValueCheck
 import daphnis.core.population.Population
 import daphnis.core.search.Overlap
 import daphnis.core.search.Reach
@@ -204,7 +204,7 @@ internal class StartCheck(
         var fastest = 0.0
         for (u in population.vy) fastest = maxOf(fastest, abs(u))
         val boxes = fastest * timeStep.next(population) / boundary.box.length(1)
-        check.must("timeStep", boxes * jump <= SnapshotCheck.MOST) {
+        check.must("timeStep", boxes * jump <= ValueCheck.MOST) {
             "is so long that the fastest sphere passes $boxes boxes along y in a step; take a smaller dt"
         }
     }

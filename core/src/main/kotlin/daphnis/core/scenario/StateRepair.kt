@@ -9,6 +9,7 @@ import daphnis.core.format.Snapshot
 import daphnis.core.initial.PlacementException
 import daphnis.core.initial.Positions
 import daphnis.core.initial.SeededRandom
+import daphnis.core.input.ValueCheck
 import daphnis.core.population.Population
 import daphnis.core.population.PopulationColumns
 import java.math.BigDecimal

@@ -2,6 +2,9 @@ package daphnis.core.scenario
 
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
+import daphnis.core.input.InputException
+import daphnis.core.input.UnitsSpec
+import daphnis.core.input.ValueCheck
 import daphnis.core.orbit.OrbitalFrequencies
 
 /**

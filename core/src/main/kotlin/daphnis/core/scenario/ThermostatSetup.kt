@@ -5,6 +5,7 @@ import daphnis.core.force.Force
 import daphnis.core.force.thermostat.Andersen
 import daphnis.core.force.thermostat.Rescaling
 import daphnis.core.force.thermostat.WhiteNoise
+import daphnis.core.input.ValueCheck
 
 /** Makes the thermostats of a scenario. Each draws numbers of its own, by its place in the list of forces. */
 internal class ThermostatSetup(

@@ -6,6 +6,7 @@ import daphnis.core.boundary.WallSurface
 import daphnis.core.boundary.leastRoom
 import daphnis.core.boundary.pistons
 import daphnis.core.boundary.planesApart
+import daphnis.core.input.ValueCheck
 import daphnis.core.population.Population
 import kotlin.math.abs
 import kotlin.math.sqrt

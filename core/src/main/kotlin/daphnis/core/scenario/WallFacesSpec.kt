@@ -3,6 +3,7 @@ package daphnis.core.scenario
 import daphnis.core.boundary.Piston
 import daphnis.core.boundary.WallFace
 import daphnis.core.boundary.WallMotion
+import daphnis.core.input.ValueCheck
 import kotlinx.serialization.SerialName
 import kotlinx.serialization.Serializable
 import java.util.function.DoubleFunction

@@ -3,7 +3,7 @@ package daphnis.core.scenario
 import daphnis.core.boundary.RoomSide
 import daphnis.core.boundary.WallFace
 import daphnis.core.boundary.WallSurface
-import daphnis.core.format.SnapshotCheck
+import daphnis.core.input.ValueCheck
 import daphnis.core.surface.Roughness
 import kotlinx.serialization.SerialName
 import kotlinx.serialization.Serializable
@@ -127,7 +127,7 @@ internal fun WallSurfaceSpec.surface(key: String, check: ValueCheck): WallSurfac
     fun vector(name: String, values: List<Double>): List<Double> {
         check.that("$key.$name", values, values.size == AXES) { "must be three numbers, along x, y and z" }
         values.forEachIndexed { k, it ->
-            check.that("$key.$name[$k]", it, abs(it) <= SnapshotCheck.MOST) { "must be in ±${SnapshotCheck.MOST}" }
+            check.that("$key.$name[$k]", it, abs(it) <= ValueCheck.MOST) { "must be in ±${ValueCheck.MOST}" }
         }
         return values
     }

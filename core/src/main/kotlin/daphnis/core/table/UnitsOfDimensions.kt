@@ -1,6 +1,6 @@
 package daphnis.core.table
 
-import daphnis.core.scenario.UnitsSpec
+import daphnis.core.input.UnitsSpec
 import kotlin.math.abs
 
 /**

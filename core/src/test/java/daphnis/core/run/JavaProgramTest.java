@@ -18,7 +18,7 @@ import daphnis.core.format.Snapshot;
 import daphnis.core.population.Conserved;
 import daphnis.core.population.Population;
 import daphnis.core.scenario.BuiltIn;
-import daphnis.core.scenario.InputException;
+import daphnis.core.input.InputException;
 import daphnis.core.scenario.OutputSpec;
 import java.io.IOException;
 import java.io.UncheckedIOException;

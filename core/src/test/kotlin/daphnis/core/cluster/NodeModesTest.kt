@@ -2,8 +2,8 @@ package daphnis.core.cluster
 
 import daphnis.core.Engines
 import daphnis.core.engine.EngineFactory
+import daphnis.core.input.InputException
 import daphnis.core.run.Run
-import daphnis.core.scenario.InputException
 import daphnis.core.scenario.ScenarioJson
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows

@@ -1,9 +1,9 @@
 package daphnis.core.cluster
 
 import daphnis.core.Engines
+import daphnis.core.input.InputException
 import daphnis.core.run.Run
 import daphnis.core.run.Summary
-import daphnis.core.scenario.InputException
 import daphnis.core.scenario.ScenarioJson
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse

@@ -14,6 +14,7 @@ import daphnis.core.hill.HillSheet
 import daphnis.core.hill.Satellite
 import daphnis.core.hill.SatelliteSurface
 import daphnis.core.initial.SeededRandom
+import daphnis.core.input.InputException
 import daphnis.core.parallel.FixedPool
 import daphnis.core.parallel.LoopStrategy
 import daphnis.core.parallel.ParallelLoop
@@ -23,7 +24,6 @@ import daphnis.core.population.stateDigest
 import daphnis.core.populationOf
 import daphnis.core.randomSpheres
 import daphnis.core.scenario.BuiltIn
-import daphnis.core.scenario.InputException
 import daphnis.core.scenario.ScenarioSetup
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows

@@ -4,6 +4,7 @@ import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.LeesEdwards
 import daphnis.core.boundary.Open
+import daphnis.core.input.SiUnits
 import daphnis.core.permuted
 import daphnis.core.population.Population
 import daphnis.core.population.stateDigest

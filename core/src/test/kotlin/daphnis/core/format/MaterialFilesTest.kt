@@ -3,6 +3,7 @@ package daphnis.core.format
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.Periodic
 import daphnis.core.collision.Counter
+import daphnis.core.input.SiUnits
 import daphnis.core.population.Population
 import daphnis.core.population.SphereQuantity
 import daphnis.core.population.stateDigest

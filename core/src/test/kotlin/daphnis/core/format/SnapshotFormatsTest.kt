@@ -4,6 +4,7 @@ import daphnis.core.Repository
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.Periodic
 import daphnis.core.format.Kept.Presence
+import daphnis.core.input.SiUnits
 import daphnis.core.randomSpheres
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals

@@ -5,6 +5,7 @@ import daphnis.core.boundary.Periodic
 import daphnis.core.cluster.MessageWriter
 import daphnis.core.cluster.SphereBlock
 import daphnis.core.collision.Counter
+import daphnis.core.input.SiUnits
 import daphnis.core.population.Population
 import daphnis.core.population.SphereQuantity
 import daphnis.core.population.stateDigest

@@ -5,7 +5,7 @@ import daphnis.core.FreePathTimeStep
 import daphnis.core.Output
 import daphnis.core.cluster.FleetEngines
 import daphnis.core.cluster.ThreadFleet
-import daphnis.core.scenario.InputException
+import daphnis.core.input.InputException
 import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.ScenarioJson
 import daphnis.core.scenario.ScenarioSetup

@@ -1,7 +1,7 @@
 package daphnis.core.run
 
 import daphnis.core.collision.Counter
-import daphnis.core.scenario.InputException
+import daphnis.core.input.InputException
 import daphnis.core.table.UnitsOfDimensions
 import kotlinx.serialization.json.Json
 import org.junit.jupiter.api.Assertions.assertArrayEquals

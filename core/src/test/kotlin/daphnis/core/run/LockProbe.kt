@@ -1,6 +1,6 @@
 package daphnis.core.run
 
-import daphnis.core.scenario.InputException
+import daphnis.core.input.InputException
 import java.nio.file.Path
 import kotlin.system.exitProcess
 

@@ -1,6 +1,6 @@
 package daphnis.core.run
 
-import daphnis.core.scenario.InputException
+import daphnis.core.input.InputException
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertThrows

@@ -2,7 +2,7 @@ package daphnis.core.run
 
 import daphnis.core.Interval
 import daphnis.core.Repository
-import daphnis.core.scenario.InputException
+import daphnis.core.input.InputException
 import daphnis.core.scenario.IntervalUnit
 import daphnis.core.scenario.OutputSpec
 import daphnis.core.scenario.ScenarioJson

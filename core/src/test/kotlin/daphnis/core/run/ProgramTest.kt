@@ -9,9 +9,9 @@ import daphnis.core.boundary.Box
 import daphnis.core.boundary.LeesEdwards
 import daphnis.core.collision.Restitution
 import daphnis.core.engine.CollisionForcing
+import daphnis.core.input.InputException
 import daphnis.core.population.Population
 import daphnis.core.randomSpheres
-import daphnis.core.scenario.InputException
 import daphnis.core.scenario.OutputSpec
 import daphnis.core.search.Overlap
 import org.junit.jupiter.api.Assertions.assertEquals

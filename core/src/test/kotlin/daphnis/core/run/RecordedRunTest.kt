@@ -2,7 +2,7 @@ package daphnis.core.run
 
 import daphnis.core.Output
 import daphnis.core.format.FormatException
-import daphnis.core.scenario.InputException
+import daphnis.core.input.InputException
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertNull

@@ -1,6 +1,6 @@
 package daphnis.core.run
 
-import daphnis.core.scenario.InputException
+import daphnis.core.input.InputException
 import daphnis.core.scenario.PlacementSpec
 import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.ScenarioJson

@@ -4,12 +4,12 @@ import daphnis.core.Output
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.EngineFactory
 import daphnis.core.engine.SerialEngine
+import daphnis.core.input.InputException
+import daphnis.core.input.WayOut
 import daphnis.core.scenario.BuiltIn
-import daphnis.core.scenario.InputException
 import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.ScenarioJson
 import daphnis.core.scenario.ScenarioSetup
-import daphnis.core.scenario.WayOut
 import daphnis.core.step.CollisionStep
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals

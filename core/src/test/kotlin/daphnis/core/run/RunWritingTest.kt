@@ -3,8 +3,8 @@ package daphnis.core.run
 import daphnis.core.Engines
 import daphnis.core.Output
 import daphnis.core.Simulation
+import daphnis.core.input.InputException
 import daphnis.core.population.stateDigest
-import daphnis.core.scenario.InputException
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNotSame
 import org.junit.jupiter.api.Assertions.assertSame

@@ -1,7 +1,7 @@
 package daphnis.core.run
 
 import daphnis.core.format.H5md
-import daphnis.core.scenario.InputException
+import daphnis.core.input.InputException
 import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.ScenarioJson
 import org.junit.jupiter.api.Assertions.assertEquals

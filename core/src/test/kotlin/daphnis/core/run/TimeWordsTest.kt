@@ -1,7 +1,7 @@
 package daphnis.core.run
 
+import daphnis.core.input.InputException
 import daphnis.core.scenario.BuiltIn
-import daphnis.core.scenario.InputException
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Test

@@ -7,6 +7,7 @@ import daphnis.core.boundary.LeesEdwards
 import daphnis.core.boundary.Periodic
 import daphnis.core.boundary.Walls
 import daphnis.core.format.ParticleCsv
+import daphnis.core.input.InputException
 import daphnis.core.population.Population
 import daphnis.core.population.VelocityMoments
 import daphnis.core.population.granularTemperature

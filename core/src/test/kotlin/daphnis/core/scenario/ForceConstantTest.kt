@@ -1,6 +1,7 @@
 package daphnis.core.scenario
 
 import daphnis.core.Repository
+import daphnis.core.input.InputException
 import kotlinx.serialization.ExperimentalSerializationApi
 import kotlinx.serialization.descriptors.elementDescriptors
 import kotlinx.serialization.descriptors.elementNames

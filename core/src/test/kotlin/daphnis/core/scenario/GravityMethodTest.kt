@@ -3,6 +3,7 @@ package daphnis.core.scenario
 import daphnis.core.force.MeshGravity
 import daphnis.core.force.RadialGravity
 import daphnis.core.force.SelfGravity
+import daphnis.core.input.InputException
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue

@@ -6,6 +6,7 @@ import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.EngineFactory
 import daphnis.core.engine.SerialEngine
 import daphnis.core.initial.fillingFactor
+import daphnis.core.input.InputException
 import daphnis.core.run.Run
 import daphnis.core.run.RunDirectory
 import daphnis.core.run.RunException

@@ -10,6 +10,7 @@ import daphnis.core.engine.CollisionForcing
 import daphnis.core.format.ExtendedXyz
 import daphnis.core.format.LammpsDump
 import daphnis.core.format.Snapshot
+import daphnis.core.input.InputException
 import daphnis.core.population.MaterialSums
 import daphnis.core.population.Population
 import daphnis.core.population.PopulationSums

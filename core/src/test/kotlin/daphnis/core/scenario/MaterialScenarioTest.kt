@@ -2,6 +2,7 @@ package daphnis.core.scenario
 
 import daphnis.core.collision.ConstantRestitution
 import daphnis.core.collision.Restitution
+import daphnis.core.input.InputException
 import daphnis.core.population.Population
 import daphnis.core.surface.MaterialLaws
 import daphnis.core.surface.MaterialRoughness

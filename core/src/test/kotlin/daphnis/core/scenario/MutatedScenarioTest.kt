@@ -3,6 +3,7 @@ package daphnis.core.scenario
 import daphnis.core.Simulation
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.initial.SeededRandom
+import daphnis.core.input.InputException
 import daphnis.core.step.CollapseException
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTimeoutPreemptively

@@ -1,5 +1,6 @@
 package daphnis.core.scenario
 
+import daphnis.core.input.InputException
 import daphnis.core.run.RecordedRun
 import daphnis.core.run.Run
 import daphnis.core.run.RunDirectory

@@ -1,6 +1,7 @@
 package daphnis.core.scenario
 
 import daphnis.core.boundary.BoundaryConditions
+import daphnis.core.input.InputException
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertNull

@@ -4,6 +4,7 @@ import daphnis.core.collision.FloorSpeedGuard
 import daphnis.core.collision.NoGuard
 import daphnis.core.collision.Restitution
 import daphnis.core.collision.ViscoelasticRestitution
+import daphnis.core.input.InputException
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue

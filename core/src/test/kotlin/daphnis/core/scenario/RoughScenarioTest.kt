@@ -6,6 +6,7 @@ import daphnis.core.boundary.Open
 import daphnis.core.engine.SerialEngine
 import daphnis.core.format.ExtendedXyz
 import daphnis.core.format.Snapshot
+import daphnis.core.input.InputException
 import daphnis.core.population.Population
 import daphnis.core.population.SpinSums
 import daphnis.core.population.stateDigest

@@ -1,6 +1,7 @@
 package daphnis.core.scenario
 
 import daphnis.core.Repository
+import daphnis.core.input.InputException
 import kotlinx.serialization.json.Json
 import kotlinx.serialization.json.JsonArray
 import kotlinx.serialization.json.JsonElement

@@ -1,5 +1,7 @@
 package daphnis.core.scenario
 
+import daphnis.core.input.InputException
+import daphnis.core.input.Nearest
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertNull

@@ -1,5 +1,6 @@
 package daphnis.core.scenario
 
+import daphnis.core.input.InputException
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test

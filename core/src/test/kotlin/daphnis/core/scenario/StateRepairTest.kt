@@ -1,6 +1,7 @@
 package daphnis.core.scenario
 
 import daphnis.core.format.SnapshotFormats
+import daphnis.core.input.InputException
 import daphnis.core.population.Population
 import daphnis.core.search.Overlap
 import org.junit.jupiter.api.Assertions.assertArrayEquals

@@ -1,6 +1,6 @@
 package daphnis.analysis.plot
 
-import daphnis.core.format.oneLine
+import daphnis.core.input.oneLine
 
 /** A sheet that becomes an SVG document. The same drawing gives the same bytes. */
 internal class SvgSheet(width: Int, height: Int) : Sheet {

@@ -2,9 +2,9 @@ package daphnis.analysis.report
 
 import daphnis.analysis.input.AnalysisInput
 import daphnis.core.format.WholeFile
+import daphnis.core.input.InputException
 import daphnis.core.run.TransportColumns
 import daphnis.core.run.Version
-import daphnis.core.scenario.InputException
 import java.io.IOException
 import java.nio.file.Path
 

@@ -7,6 +7,7 @@ import daphnis.core.orbit.OrbitalFrequencies
 import daphnis.core.scenario.ForceSpec
 import daphnis.core.scenario.FrameSpec
 import daphnis.core.scenario.Scenario
+import daphnis.core.scenario.gravitationalParameter
 
 /** The passage of a scenario's moon by its patch: the [Encounter] it makes, and its rows in the report. */
 internal object MoonEncounter {
@@ -26,7 +27,7 @@ internal object MoonEncounter {
     ): Encounter? {
         if (scenario == null || moon == null) return null
         val frame = scenario.frame as? FrameSpec.Hill ?: return null
-        val planet = scenario.units.gravitationalParameter(frame) ?: return null
+        val planet = frame.gravitationalParameter(scenario.units) ?: return null
         val constant = moon.constant ?: scenario.units.gravitationalConstant ?: return null
         val ratio = moon.massRatio ?: moon.mass?.let { it * constant / planet } ?: return null
         val distance = (box.lowerX + box.upperX) / 2 - moon.x

@@ -1,9 +1,9 @@
 package daphnis.analysis.report
 
 import daphnis.core.format.WholeFile
+import daphnis.core.input.InputException
 import daphnis.core.run.Links
 import daphnis.core.run.RunLock
-import daphnis.core.scenario.InputException
 import java.io.IOException
 import java.io.UncheckedIOException
 import java.nio.file.AtomicMoveNotSupportedException

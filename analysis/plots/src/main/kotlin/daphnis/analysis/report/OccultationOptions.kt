@@ -3,7 +3,7 @@ package daphnis.analysis.report
 import daphnis.analysis.occultation.Footprint
 import daphnis.analysis.occultation.LineOfSight
 import daphnis.analysis.occultation.ObservedDepths
-import daphnis.core.scenario.InputException
+import daphnis.core.input.InputException
 
 /**
  * What is computed of the light through a patch beside the transmission along one line of sight: nothing unless asked.

@@ -1,7 +1,7 @@
 package daphnis.analysis.report
 
 import daphnis.analysis.table.UnitNames
-import daphnis.core.format.oneLine
+import daphnis.core.input.oneLine
 import java.util.Base64
 import java.util.Locale
 import kotlin.math.abs

@@ -1,8 +1,8 @@
 package daphnis.analysis.report
 
+import daphnis.core.input.InputException
 import daphnis.core.run.Summary
 import daphnis.core.scenario.ForceSpec
-import daphnis.core.scenario.InputException
 import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.ScenarioSetup
 import daphnis.core.scenario.warnings

@@ -13,7 +13,7 @@ import daphnis.analysis.plot.Curve
 import daphnis.analysis.statistics.BlockAverage
 import daphnis.analysis.table.Column
 import daphnis.analysis.table.Table
-import daphnis.core.scenario.InputException
+import daphnis.core.input.InputException
 
 /** Light curves of a star behind the patch as an instrument of finite resolution sees it, and their moments. */
 internal class ScanPart(private val study: Study, footprint: Footprint) : LightPart {

@@ -5,7 +5,7 @@ import daphnis.analysis.report.ReportText
 import daphnis.analysis.statistics.SampleMean
 import daphnis.analysis.statistics.Steadiness
 import daphnis.analysis.table.UnitNames
-import daphnis.core.format.oneLine
+import daphnis.core.input.oneLine
 import java.util.Locale
 
 /** The numbers of a [sweep] to be read: tables in Markdown, a row for each quantity and a column for each point. */

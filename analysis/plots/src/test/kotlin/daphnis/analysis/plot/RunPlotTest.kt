@@ -4,7 +4,7 @@ import daphnis.analysis.requireReplacedWhole
 import daphnis.analysis.series.SeriesTable
 import daphnis.analysis.table.UnitNames
 import daphnis.core.format.FormatException
-import daphnis.core.scenario.UnitsSpec
+import daphnis.core.input.UnitsSpec
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertThrows

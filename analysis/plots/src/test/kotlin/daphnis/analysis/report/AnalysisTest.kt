@@ -10,12 +10,12 @@ import daphnis.core.format.ExtendedXyz
 import daphnis.core.format.FormatException
 import daphnis.core.format.H5md
 import daphnis.core.format.Snapshot
+import daphnis.core.input.InputException
+import daphnis.core.input.WayOut
 import daphnis.core.run.Run
 import daphnis.core.scenario.BuiltIn
-import daphnis.core.scenario.InputException
 import daphnis.core.scenario.SizesSpec
 import daphnis.core.scenario.Surroundings
-import daphnis.core.scenario.WayOut
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse

@@ -2,11 +2,11 @@ package daphnis.analysis.report
 
 import daphnis.analysis.table.UnitNames
 import daphnis.core.boundary.Box
+import daphnis.core.input.UnitsSpec
 import daphnis.core.orbit.OrbitalFrequencies
 import daphnis.core.scenario.BuiltIn
 import daphnis.core.scenario.FrameSetup
 import daphnis.core.scenario.Scenario
-import daphnis.core.scenario.UnitsSpec
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertNull

@@ -4,9 +4,9 @@ import daphnis.analysis.input.AnalysisInput
 import daphnis.analysis.moonlet.RandomWalk
 import daphnis.core.format.FormatException
 import daphnis.core.initial.SeededRandom
+import daphnis.core.input.InputException
 import daphnis.core.run.Run
 import daphnis.core.scenario.BuiltIn
-import daphnis.core.scenario.InputException
 import daphnis.core.scenario.Scenario
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse

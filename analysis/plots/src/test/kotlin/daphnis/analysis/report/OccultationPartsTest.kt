@@ -3,9 +3,9 @@ package daphnis.analysis.report
 import daphnis.analysis.input.AnalysisInput
 import daphnis.analysis.occultation.Footprint
 import daphnis.analysis.occultation.ObservedDepths
+import daphnis.core.input.InputException
 import daphnis.core.run.Run
 import daphnis.core.scenario.BuiltIn
-import daphnis.core.scenario.InputException
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertThrows

@@ -1,6 +1,6 @@
-package daphnis.core.scenario
+package daphnis.core.input
 
-import daphnis.core.format.SiUnits
+import daphnis.core.scenario.gravitationalParameter
 import kotlinx.serialization.SerialName
 import kotlinx.serialization.Serializable
 
@@ -28,13 +28,6 @@ public class UnitsSpec @JvmOverloads constructor(
             val time = timeInSeconds ?: return null
             return GRAVITATIONAL_CONSTANT * massInKg * time * time / (length * length * length)
         }
-
-    /** GM of the planet of [frame] in length³/time²; null when the length is not known. */
-    public fun gravitationalParameter(frame: FrameSpec.Hill): Double? {
-        val length = lengthInMetres ?: return null
-        val time = timeInSeconds ?: return null
-        return frame.gravitationalParameterInSi * time * time / (length * length * length)
-    }
 
     /** The units in SI units; null when the length is not known. */
     public val si: SiUnits? get() = lengthInMetres?.let { SiUnits(it, timeInSeconds!!, massInKg) }

@@ -1,4 +1,4 @@
-package daphnis.core.scenario
+package daphnis.core.input
 
 /** The known word that a mistyped one most likely means. */
 public object Nearest {

@@ -1,6 +1,6 @@
 @file:JvmName("InputPath")
 
-package daphnis.core.scenario
+package daphnis.core.input
 
 import java.nio.file.InvalidPathException
 import java.nio.file.Path

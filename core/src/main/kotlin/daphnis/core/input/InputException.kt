@@ -1,6 +1,4 @@
-package daphnis.core.scenario
-
-import daphnis.core.format.oneLine
+package daphnis.core.input
 
 /**
  * Thrown when the input is wrong. [message] is one line that names the source, the key, the value and what would be

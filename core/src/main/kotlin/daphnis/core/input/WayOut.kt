@@ -1,4 +1,4 @@
-package daphnis.core.scenario
+package daphnis.core.input
 
 /**
  * What a caller can ask for instead after a refusal, or to be told more than a notice says is known.

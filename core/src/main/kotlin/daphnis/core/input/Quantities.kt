@@ -1,6 +1,5 @@
-package daphnis.app.describe
+package daphnis.core.input
 
-import daphnis.core.scenario.ScenarioParts
 import java.math.BigDecimal
 import java.math.MathContext
 import java.util.Locale
@@ -8,14 +7,14 @@ import java.util.Locale
 /**
  * Formats numbers of a scenario with units of a convenient size; "length units" and so on where the scenario does not
  * know its units.
+ *
+ * @param cmPerSecond the unit of speed in cm/s; null where nobody said what it is
  */
-internal class Quantities(scenario: ScenarioParts) {
-    private val units = scenario.units
+public class Quantities(units: UnitsSpec, private val cmPerSecond: Double?) {
     private val si = units.si
 
-    private val cmPerSecond = scenario.cmPerSecond
-
-    fun length(value: Double): String {
+    /** A length. */
+    public fun length(value: Double): String {
         val metres = (si ?: return plain(value, "length units")).metres * value
         return when {
             metres == 0.0 -> "0 m"
@@ -25,7 +24,8 @@ internal class Quantities(scenario: ScenarioParts) {
         }
     }
 
-    fun time(value: Double): String {
+    /** A time. */
+    public fun time(value: Double): String {
         val seconds = (si ?: return plain(value, "time units")).seconds * value
         return when {
             seconds < 2 * MINUTE -> number(seconds) + " s"
@@ -36,55 +36,62 @@ internal class Quantities(scenario: ScenarioParts) {
         }
     }
 
-    fun speed(value: Double): String =
+    /** A speed. */
+    public fun speed(value: Double): String =
         if (cmPerSecond != null) number(value * cmPerSecond) + " cm/s" else plain(value, "units of speed")
 
-    fun angularSpeed(value: Double): String = if (si == null) {
+    /** An angular speed. */
+    public fun angularSpeed(value: Double): String = if (si == null) {
         plain(value, "radians per unit of time")
     } else {
         number(value / si.seconds) + " rad/s"
     }
 
-    fun mass(value: Double): String = if (si == null) {
+    /** A mass. */
+    public fun mass(value: Double): String = if (si == null) {
         plain(value, "mass units")
     } else {
         number(value * si.kilograms) + " kg"
     }
 
-    fun density(value: Double): String = if (si == null) {
+    /** Mass per volume. */
+    public fun density(value: Double): String = if (si == null) {
         plain(value, "mass/length^3")
     } else {
         number(value * si.kilograms / (si.metres * si.metres * si.metres)) +
             " kg/m3"
     }
 
-    fun surfaceDensity(value: Double): String = if (si == null) {
+    /** Mass per area. */
+    public fun surfaceDensity(value: Double): String = if (si == null) {
         plain(value, "mass/length^2")
     } else {
         number(value * si.kilograms / (si.metres * si.metres)) + " kg/m2"
     }
 
-    fun acceleration(value: Double): String = if (si == null) {
+    /** An acceleration. */
+    public fun acceleration(value: Double): String = if (si == null) {
         plain(value, "length/time^2")
     } else {
         number(value * si.metres / (si.seconds * si.seconds)) + " m/s2"
     }
 
     /** Of a square of a speed, per unit of time. */
-    fun heating(value: Double): String = if (si == null) {
+    public fun heating(value: Double): String = if (si == null) {
         plain(value, "units of speed^2 per unit of time")
     } else {
         number(value * si.metres * si.metres / (si.seconds * si.seconds * si.seconds)) + " m2/s3"
     }
 
-    fun rate(value: Double): String =
+    /** How often something is. */
+    public fun rate(value: Double): String =
         if (si == null) "${number(value)} per unit of time" else number(value / si.seconds) + " per s"
 
     /** One unit of time; it follows from length and speed, so a scenario does not state it. */
-    fun unitOfTime(): String? = si?.let { "${number(it.seconds)} s" }
+    public fun unitOfTime(): String? = si?.let { "${number(it.seconds)} s" }
 
     /** A time as a scenario has it, in its units, and in a convenient one where that is another. */
-    fun timeInUnits(value: Double): String {
+    public fun timeInUnits(value: Double): String {
         val seconds = (si ?: return time(value)).seconds
         val unit = if (seconds == 1.0) "s" else "units of ${number(seconds)} s"
         val plain = "${number(value)} $unit"
@@ -97,9 +104,9 @@ internal class Quantities(scenario: ScenarioParts) {
         return "$number ${if (number == "1") unit.replace("units", "unit").replace("radians", "radian") else unit}"
     }
 
-    companion object {
+    public companion object {
         /** Four significant digits without a tail of zeros, written out unless very large or very small. */
-        fun number(value: Double): String {
+        public fun number(value: Double): String {
             if (!value.isFinite()) return value.toString()
             val rounded = BigDecimal(value).round(MathContext(DIGITS))
             if (rounded.signum() == 0) return "0"
@@ -109,7 +116,7 @@ internal class Quantities(scenario: ScenarioParts) {
         }
 
         /** A number of bytes with a decimal prefix. */
-        fun bytes(count: Double): String = when {
+        public fun bytes(count: Double): String = when {
             count < 1e3 -> String.format(Locale.ROOT, "%.0f B", count)
             count < 1e6 -> String.format(Locale.ROOT, "%.0f kB", count / 1e3)
             count < 1e9 -> String.format(Locale.ROOT, "%.0f MB", count / 1e6)
