@@ -5,8 +5,6 @@ import daphnis.core.boundary.ContactFaces
 import daphnis.core.initial.fillingFactor
 import daphnis.core.population.SpinSums
 import daphnis.core.population.granularTemperature
-import daphnis.core.scenario.ForceSpec
-import daphnis.core.scenario.GravityMethod
 import daphnis.core.scenario.ScenarioSetup
 import kotlin.math.PI
 import kotlin.math.sqrt
@@ -44,9 +42,7 @@ internal class CollisionRate private constructor(
             val box = setup.boundary.box
             val depth = setup.population.radius.sumOf { PI * it * it } / (box.length(0) * box.length(1))
             val crossings = depth * orbits.verticalFactor
-            val clumps = setup.scenario.forces.any {
-                it is ForceSpec.SelfGravity && it.method != GravityMethod.RADIAL_MODES
-            }
+            val clumps = setup.scenario.forces.any { it.gathers }
             val more = if (clumps) IN_WAKES else correlation(FILLING * crossings)
             val rate = PER_ORBIT * crossings * orbits.omega / (2 * PI)
             CollisionRate(rate, rate * more)
@@ -59,11 +55,10 @@ internal class CollisionRate private constructor(
             if (setup.boundary.meanFlow != null && temperature(setup) == 0.0) return true
             val growth = setup.scenario.growth
             if (growth != null && growth.rate > 0) return true
-            return setup.scenario.forces.any { force ->
-                force is ForceSpec.UniformAcceleration &&
-                    (0 until setup.boundary.space.dimensions).any {
-                        force.acceleration[it] != 0.0 && hasFloor(setup.boundary, it)
-                    }
+            return setup.scenario.forces.mapNotNull { it.acceleration }.any { acceleration ->
+                (0 until setup.boundary.space.dimensions).any {
+                    acceleration[it] != 0.0 && hasFloor(setup.boundary, it)
+                }
             }
         }
 

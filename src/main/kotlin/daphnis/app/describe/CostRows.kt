@@ -10,14 +10,11 @@ import daphnis.core.measure
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.run.Course
 import daphnis.core.run.PeriodicOutputs
-import daphnis.core.scenario.ForceSpec
-import daphnis.core.scenario.GravityMethod
 import daphnis.core.scenario.ScenarioSetup
 import daphnis.core.search.Grid
 import daphnis.core.search.Reach
 import java.util.Locale
 import kotlin.math.ceil
-import kotlin.math.ln
 
 /** What a run writes, its memory and time, and how it searches for neighbours. */
 internal class CostRows(private val setup: ScenarioSetup, private val say: Quantities, private val rows: Rows) {
@@ -128,26 +125,10 @@ internal class CostRows(private val setup: ScenarioSetup, private val say: Quant
     private fun written(count: Double) = if (count < MOST_WRITTEN) "%.0f".format(Locale.ROOT, count) else number(count)
 
     /**
-     * From the benchmarks in docs/performance.md: free motion, search and collisions of a dilute to middling system; a
-     * mesh for gravity, or a walk through the tree as runs of some thousand spheres take it.
+     * From the benchmarks in docs/performance.md: free motion, search and collisions of a dilute to middling system, and
+     * forces.
      */
-    private fun secondsPerSphereAndStep(): Double {
-        var seconds = STEP_SECONDS
-        for (force in scenario.forces) {
-            if (force is ForceSpec.SelfGravity) seconds += gravitySeconds(force)
-        }
-        return seconds
-    }
-
-    private fun gravitySeconds(force: ForceSpec.SelfGravity): Double = when (force.method) {
-        GravityMethod.TREE -> {
-            val boxes = (2.0 * force.images + 1) * (2.0 * force.images + 1)
-            val angle = maxOf(force.openingAngle, LEAST_ANGLE)
-            minOf(WALK_SECONDS * ln(size * boxes + 1) / (angle * angle), PAIR_SECONDS * size * boxes)
-        }
-        GravityMethod.MESH -> MESH_SECONDS
-        GravityMethod.RADIAL_MODES -> WAVES_SECONDS
-    }
+    private fun secondsPerSphereAndStep() = STEP_SECONDS + scenario.forces.sumOf { it.seconds(size) }
 
     private fun took(seconds: Double) = when {
         seconds < 1 -> "about a second"
@@ -195,10 +176,5 @@ internal class CostRows(private val setup: ScenarioSetup, private val say: Quant
         const val CHECKPOINT_BYTES = 76.0
 
         const val STEP_SECONDS = 0.25e-6
-        const val WALK_SECONDS = 0.3e-6
-        const val PAIR_SECONDS = 5e-9
-        const val MESH_SECONDS = 1.5e-6
-        const val WAVES_SECONDS = 0.04e-6
-        const val LEAST_ANGLE = 0.05
     }
 }

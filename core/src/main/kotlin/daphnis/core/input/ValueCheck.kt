@@ -1,5 +1,6 @@
 package daphnis.core.input
 
+import daphnis.core.space.Space
 import kotlin.math.abs
 
 /** Turns a wrong value into an [InputException] that names the [source], the key and the value. */
@@ -17,6 +18,17 @@ public class ValueCheck(public val source: String) {
     /** [value] must be > 0 and finite. */
     public fun positive(key: String, value: Double) {
         that(key, value, value > 0 && value.isFinite()) { "must be > 0" }
+    }
+
+    /** [value] must be at least 0, which is what [ofZero] says. */
+    @JvmOverloads
+    public fun atLeast0(key: String, value: Double, ofZero: String? = null) {
+        that(key, value, value >= 0) { "must be at least 0" + ofZero?.let { " ($it)" }.orEmpty() }
+    }
+
+    /** A [vector] may not point out of the plane, where [space] is one. */
+    public fun inSpace(key: String, vector: List<Double>, space: Space) {
+        that(key, vector, !space.isPlane || vector[2] == 0.0) { "must have 0 along z, with dimensions 2" }
     }
 
     /** A mass: of one so small that it has few digits left, or so large, sums of masses and energies have none. */

@@ -50,6 +50,9 @@ public class OrbitalFrequencies @JvmOverloads constructor(
     public fun inwards(x: Double, vy: Double): Double =
         ((4 - radialFactor * radialFactor) * x + 2 * vy / omega) / (radialFactor * radialFactor)
 
+    /** (G m/3 Ω²)^⅓ of a mass of [strength] G m, which is small against the planet's, length³/time². */
+    public fun hillRadius(strength: Double): Double = Math.cbrt(strength / (3 * omega * omega))
+
     public companion object {
         /**
          * At a [distance] from the centre of a planet with zonal harmonics [j2], [j4], [j6] that refer to its [radius]

@@ -20,8 +20,8 @@ internal class Bodies(
             check.extent("$key.radius", body.radius)
             check.that("$key.position", body.position, body.position.size == 3) { "must be three numbers" }
             body.velocity?.let { check.that("$key.velocity", it, it.size == 3) { "must be three numbers" } }
-            requireInPlane(body.position, space, "$key.position", check)
-            body.velocity?.let { requireInPlane(it, space, "$key.velocity", check) }
+            check.inSpace("$key.position", body.position, space)
+            body.velocity?.let { check.inSpace("$key.velocity", it, space) }
             check.must(key, body.mass == null || body.density == null) {
                 "has a mass and a density; one of the two is enough"
             }
@@ -82,9 +82,4 @@ internal class Bodies(
         specs[it].velocity?.get(axis)
             ?: if (flow != null && flow.flowAxis == axis) flow.rate * specs[it].position[flow.normalAxis] else 0.0
     }
-}
-
-/** Refuses a vector that points out of the plane in which discs are. */
-internal fun requireInPlane(vector: List<Double>, space: Space, key: String, check: ValueCheck) {
-    check.that(key, vector, !space.isPlane || vector[2] == 0.0) { "must have 0 along z, with dimensions 2" }
 }

@@ -83,23 +83,6 @@ public object FrameSetup {
         return StrictMath.cbrt(planet / (frequencies.omega * frequencies.omega))
     }
 
-    /**
-     * Orbits between two passages of a [moon] by the middle of the frame: the circumference there, along which a moon
-     * that returns does so, over what the frame's shear carries it in an orbit.
-     *
-     * @param frequencies as [frequencies] gives them
-     * @return null where [distance] is not known, or the moon stays in the middle
-     */
-    @JvmStatic
-    public fun orbitsBetweenPassages(
-        scenario: ScenarioParts,
-        frequencies: OrbitalFrequencies,
-        moon: ForceSpec.Satellite,
-    ): Double? {
-        val distance = distance(scenario, frequencies) ?: return null
-        return if (moon.x == 0.0) null else distance / (frequencies.shearFactor * Math.abs(moon.x))
-    }
-
     private fun given(frame: FrameSpec.Hill, speed: Double, check: ValueCheck): OrbitalFrequencies {
         check.positive("frame.angularSpeed", speed)
         check.must("frame.oblateness", frame.oblateness == null) { NEEDS_DISTANCE }

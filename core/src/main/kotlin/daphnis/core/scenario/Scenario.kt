@@ -2,6 +2,7 @@ package daphnis.core.scenario
 
 import daphnis.core.Engines
 import daphnis.core.engine.EngineFactory
+import daphnis.core.force.ForceSpec
 import daphnis.core.input.Planet
 import daphnis.core.input.UnitsSpec
 import daphnis.core.parallel.ThreadHandler
@@ -37,7 +38,10 @@ public data class Scenario @JvmOverloads constructor(
     override val velocities: VelocitiesSpec? = null,
     override val restitution: RestitutionSpec,
     public val guard: GuardSpec? = null,
-    override val forces: List<ForceSpec> = emptyList(),
+    override val forces: List<
+        @Serializable(ForceKinds::class)
+        ForceSpec,
+        > = emptyList(),
     public val timeStep: TimeStepSpec = TimeStepSpec.Automatic(),
     public val until: Double? = null,
     public val untilOrbits: Double? = null,

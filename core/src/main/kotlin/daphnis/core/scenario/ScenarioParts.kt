@@ -1,6 +1,7 @@
 package daphnis.core.scenario
 
 import daphnis.core.Clock
+import daphnis.core.force.ForceSpec
 import daphnis.core.input.UnitsSpec
 import daphnis.core.search.SearchStructure
 import daphnis.core.space.Space
@@ -93,6 +94,14 @@ public interface ScenarioParts {
         }
         return coefficients.distinct().singleOrNull()
     }
+
+    /** G in the scenario's units: that of a force that says it, else Newton's; null where neither is known. */
+    public val gravitationalConstant: Double?
+        get() = forces.firstNotNullOfOrNull { it.constant } ?: units.gravitationalConstant
+
+    /** G of the gravity among all spheres; null without, and where it is not known. */
+    public val selfGravity: Double?
+        get() = forces.firstOrNull { it.isAmongAll }?.let { it.constant ?: units.gravitationalConstant }
 
     /** Time at which the run starts: that of the state from which it is placed, otherwise 0. */
     public val startTime: Double get() = (placement as? PlacementSpec.File)?.time ?: 0.0

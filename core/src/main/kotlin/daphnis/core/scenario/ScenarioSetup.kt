@@ -18,8 +18,11 @@ import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.engine.SerialEngine
 import daphnis.core.force.Force
+import daphnis.core.force.ForcePlace
+import daphnis.core.force.Pull
 import daphnis.core.format.Snapshot
 import daphnis.core.input.InputException
+import daphnis.core.input.Quantities
 import daphnis.core.input.ValueCheck
 import daphnis.core.measure
 import daphnis.core.orbit.OrbitalFrequencies
@@ -52,12 +55,22 @@ public class ScenarioSetup private constructor(
     public val notices: List<String>,
     /** Of the spheres; null for smooth ones. */
     public val roughness: Roughness?,
+    private val places: List<ForcePlace>,
 ) {
     /** Angular speed of the frame in radians per unit of time; null without a frame. */
     public val angularSpeed: Double? get() = frequencies?.omega
 
     /** Moment of inertia of the spheres over mass · radius². */
     public val momentFactor: Double get() = scenario.momentFactor
+
+    /** The forces of the scenario for a reader, as they act at the start. */
+    public fun forcesInWords(say: Quantities): List<String> =
+        scenario.forces.mapIndexed { k, it -> it.inWords(places[k], population, say) }
+
+    /** The fastest orbit that a force makes room for at the start; null where nothing attracts. */
+    internal fun fastestPull(): Pull? = scenario.forces.mapIndexedNotNull { k, it ->
+        it.fastestPull(places[k], population)
+    }.filter { it.rate > 0 }.maxByOrNull { it.rate }
 
     /**
      * The collisions of a simulation of this, computed by [engine].
@@ -153,8 +166,8 @@ public class ScenarioSetup private constructor(
             val isMade = state == null && scenario.placement !is PlacementSpec.File
             val bodies = if (isMade) scenario.copy(firstBody = null) else scenario
             val firstBody = bodies.firstBody(population.size)
-            val forceSetup = ForceSetup(scenario, around.frequencies, check)
-            val forces = forceSetup.forces(around.boundary, firstBody)
+            fun forces() = ForceSetup(scenario, around.frequencies, around.boundary, firstBody, check)
+            val forceSetup = forces()
             val boundary = forceSetup.boundary
             val guardSpec = resolve(scenario.guard ?: defaultGuard(scenario), population, check)
             val timeStepSpec = resolve(around.timeStep, around, population)
@@ -165,16 +178,16 @@ public class ScenarioSetup private constructor(
             val first = timeStep.next(population)
             checkSteps(resolved, first, check)
             if (state == null) GrowthSetup(scenario, check).checkStart(population, around.box, first, around.end)
-            val startCheck = StartCheck(scenario, population, boundary, check, around.end)
+            val startCheck = StartCheck(scenario, population, boundary, forceSetup.places, check, around.end)
             if (state == null) startCheck.check(timeStep, isPlaced) else startCheck.checkRooms()
             if (state == null && (isPlaced || timeStep is FixedTimeStep)) {
-                val likeThem = forceSetup.forces(around.boundary, firstBody)
+                val likeThem = forces().forces
                 FirstKick(scenario, likeThem, boundary, check).check(population, timeStep.next(population), isPlaced)
             }
             val guard = guard(guardSpec, check)
             return ScenarioSetup(
-                resolved, population, boundary, laws.restitution, guard, forces, timeStep, around.frequencies,
-                initial.notices, laws.roughness,
+                resolved, population, boundary, laws.restitution, guard, forceSetup.forces, timeStep,
+                around.frequencies, initial.notices, laws.roughness, forceSetup.places,
             )
         }
 

@@ -6,7 +6,7 @@ import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.ContactFaces
 import daphnis.core.boundary.ShearedPeriodic
 import daphnis.core.boundary.roomAt
-import daphnis.core.force.mesh.MeshPoints
+import daphnis.core.force.ForcePlace
 import daphnis.core.input.ValueCheck
 import daphnis.core.population.Population
 import daphnis.core.search.Overlap
@@ -21,6 +21,7 @@ internal class StartCheck(
     private val scenario: Scenario,
     private val population: Population,
     private val boundary: BoundaryConditions,
+    private val places: List<ForcePlace>,
     private val check: ValueCheck,
     end: Double,
 ) {
@@ -66,8 +67,8 @@ internal class StartCheck(
         if (isKnown) {
             checkSlide(timeStep)
             checkJumps(timeStep)
-            checkSatellites(timeStep)
-            checkMeshes()
+            val duration = timeStep.next(population)
+            scenario.forces.forEachIndexed { k, force -> force.checkStart(places[k], population, duration) }
         }
         if (!isPlaced) return
         computable("velocities") { Reach().measure(population, boundary, timeStep.next(population)) }
@@ -138,57 +139,6 @@ internal class StartCheck(
         }
     }
 
-    /**
-     * A sphere that falls onto a moon is detected from its position at the end of a step, so none may pass through the
-     * moon within one step.
-     */
-    private fun checkSatellites(timeStep: TimeStep) {
-        val orbits = FrameSetup.frequencies(scenario, check.source) ?: return
-        MoonCheck(scenario, population, boundary, orbits, check).check()
-        val rate = abs(orbits.shearRate)
-        for ((k, force) in scenario.forces.withIndex()) {
-            if (force !is ForceSpec.Satellite || force.radius == 0.0) continue
-            val farthest =
-                maxOf(abs(force.x - boundary.box.lower(0)), abs(force.x - boundary.box.upper(0))) + 2 * force.e
-            val way = (rate * farthest + orbits.nu * force.inclination) * timeStep.next(population)
-            check.that("forces[$k].radius", force.radius, way < 2 * force.radius) {
-                "is small compared with the $way that particles drift past it in a step; " +
-                    "take a smaller dt, or 0 for a point"
-            }
-        }
-    }
-
-    /** Clouds of a mesh that reach beyond the patch make each sphere pull on each of many images by itself. */
-    private fun checkMeshes() {
-        val box = boundary.box
-        for ((k, spec) in scenario.forces.withIndex()) {
-            if (spec !is ForceSpec.SelfGravity || spec.method != GravityMethod.MESH || population.size == 0) continue
-            val lowest = population.z.min()
-            val highest = population.z.max()
-            fun points(softening: Double) = MeshPoints.choose(
-                population.size,
-                box.length(0),
-                box.length(1),
-                lowest,
-                highest,
-                spec.spacing ?: 0.0,
-                softening,
-            )
-            val edge = minOf(box.length(0), box.length(1))
-            check.must("forces[$k].method", points(0.0).reach <= edge) {
-                "is mesh, for flat patches; spheres from $lowest to $highest make it coarser than the patch is wide; " +
-                    "take the tree"
-            }
-            check.that("forces[$k].softening", spec.softening, points(spec.softening).reach <= edge) {
-                "makes the mesh coarser than the patch is wide; take the tree"
-            }
-            val size = points(spec.softening).let { it.nx.toDouble() * it.ny * it.nz }
-            check.must("forces[$k].spacing", size <= MOST_POINTS) {
-                "makes a mesh of $size points, and there can be $MOST_POINTS; give a greater one"
-            }
-        }
-    }
-
     /** If images slid by many boxes in a step, each would have to be searched. */
     private fun checkSlide(timeStep: TimeStep) {
         val shear = boundary.shear ?: return
@@ -219,8 +169,5 @@ internal class StartCheck(
          * between would be searched.
          */
         private const val MOST_BOXES = 3
-
-        /** Of a mesh, 0.3 GB. */
-        private const val MOST_POINTS = 40_000_000
     }
 }

@@ -102,9 +102,9 @@ internal class WallCheck(
 
     /** A sphere that falls through the room and bounces needs √(8 l/g) to be back. */
     fun checkFall(axis: Int, duration: Double) {
-        val forces = scenario.forces.filterIsInstance<ForceSpec.UniformAcceleration>()
+        val forces = scenario.forces.mapNotNull { it.acceleration }
         if (forces.isEmpty() || scenario.frame != null) return
-        val acceleration = abs(forces.sumOf { it.acceleration[axis] })
+        val acceleration = abs(forces.sumOf { it[axis] })
         val falls = duration * sqrt(acceleration / (8 * boundary.box.length(axis)))
         check.must("timeStep", falls <= MOST_CYCLES) {
             "is so long that spheres fall $falls times through the room across ${"xyz"[axis]} in a step; " +

@@ -2,7 +2,6 @@
 
 package daphnis.core.scenario
 
-import daphnis.core.force.RadialGravity
 import java.util.Locale
 
 /**
@@ -47,7 +46,7 @@ private fun coarseOrbit(setup: ScenarioSetup, dt: Double): String? {
 
 /** Kicks shift the frequency of an orbit by a part (rate · step)²/24. */
 private fun coarsePull(setup: ScenarioSetup, dt: Double): String? {
-    val pull = fastestPull(setup) ?: return null
+    val pull = setup.fastestPull() ?: return null
     val kicks = 2 * Math.PI / (pull.rate * dt)
     if (kicks >= FEWEST_KICKS * (1 - ROUNDING)) return null
     return line(
@@ -62,7 +61,7 @@ private fun coarsePull(setup: ScenarioSetup, dt: Double): String? {
 /** A patch with self-gravity that is shorter than one unstable wave has no room for wakes. */
 private fun smallForWakes(setup: ScenarioSetup): String? {
     // Waves along x alone make no wakes.
-    if (setup.forces.any { it is RadialGravity }) return null
+    if (setup.scenario.forces.none { it.gathers }) return null
     val wavelength = criticalWavelength(setup) ?: return null
     val box = setup.boundary.box
     val shortest = (0..1).filter { setup.boundary.hasImages(it) }.minByOrNull { box.length(it) } ?: return null
@@ -75,6 +74,17 @@ private fun smallForWakes(setup: ScenarioSetup): String? {
         ratio,
         wavelength,
     )
+}
+
+/** Toomre's 4π² G Σ/κ² of the particles of [setup]; null without Hill's frame or self-gravity. */
+private fun criticalWavelength(setup: ScenarioSetup): Double? {
+    val scenario = setup.scenario
+    val kappa = setup.frequencies?.kappa ?: return null
+    val g = scenario.selfGravity ?: return null
+    val p = setup.population
+    val mass = (0 until p.size).sumOf { if (scenario.isBody(p.id[it])) 0.0 else p.mass[it] }
+    val box = setup.boundary.box
+    return 4 * Math.PI * Math.PI * g * mass / (box.length(0) * box.length(1)) / (kappa * kappa)
 }
 
 private fun line(format: String, vararg values: Any): String = String.format(Locale.ROOT, format, *values)

@@ -5,7 +5,6 @@ import daphnis.core.Simulation
 import daphnis.core.boundary.Open
 import daphnis.core.orbit.OrbitalFrequencies
 import daphnis.core.population.Population
-import daphnis.core.scenario.ForceSpec
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -19,12 +18,12 @@ class ReturningMoonTest {
 
     @Test
     fun `an inclined moon rises through the plane at its node and is highest a quarter of its swing later`() {
-        val spec = ForceSpec.Satellite(mass = 1.0, x = -5.0, y = 3.0, inclination = 0.7, node = 0.0)
+        val spec = SatelliteSpec(mass = 1.0, x = -5.0, y = 3.0, inclination = 0.7, node = 0.0)
         val moon = Satellite(1.0, spec.orbit, orbits)
         assertEquals(0.0, moon.state(0.0)[2], 1e-15)
         assertEquals(0.7 * 1.04, moon.state(0.0)[5], 1e-15)
         assertEquals(0.7, moon.state(PI / 2 / 1.04)[2], 1e-15)
-        val later = ForceSpec.Satellite(mass = 1.0, x = -5.0, y = 3.0, inclination = 0.7, node = 1.2)
+        val later = SatelliteSpec(mass = 1.0, x = -5.0, y = 3.0, inclination = 0.7, node = 1.2)
         assertEquals(0.7, Satellite(1.0, later.orbit, orbits).state((PI / 2 - 1.2) / 1.04)[2], 1e-15)
     }
 

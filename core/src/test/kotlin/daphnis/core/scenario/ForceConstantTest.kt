@@ -36,7 +36,7 @@ class ForceConstantTest {
 
     /** The keys of each type of force, by its name in scenarios. */
     private val keys: Map<String, List<String>> =
-        ForceSpec.serializer().descriptor.elementDescriptors.last().elementDescriptors
+        ForceKinds.descriptor.elementDescriptors.last().elementDescriptors
             .associate { it.serialName to it.elementNames.toList() }
 
     private val needed = mapOf(

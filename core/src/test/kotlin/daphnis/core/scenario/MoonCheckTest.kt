@@ -1,6 +1,7 @@
 package daphnis.core.scenario
 
 import daphnis.core.hill.Satellite
+import daphnis.core.hill.SatelliteSpec
 import daphnis.core.input.InputException
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
@@ -86,7 +87,7 @@ class MoonCheckTest {
         val plain = ScenarioJson.write(scenario(""""x":50,"y":-900"""))
         for (key in listOf("inclination", "node", "returns")) assertFalse("\"$key\"" in plain) { key }
         val read = ScenarioJson.parse(ScenarioJson.write(scenario(""""x":50,"y":-9,"returns":true,"node":2""")), "x")
-        val moon = read.forces.single() as ForceSpec.Satellite
+        val moon = read.forces.single() as SatelliteSpec
         assertTrue(moon.returns)
         assertEquals(2.0, moon.node)
     }

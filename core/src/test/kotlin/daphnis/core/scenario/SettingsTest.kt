@@ -1,5 +1,8 @@
 package daphnis.core.scenario
 
+import daphnis.core.force.ForceSpec
+import daphnis.core.force.SelfGravitySpec
+import daphnis.core.force.UniformAccelerationSpec
 import daphnis.core.input.InputException
 import daphnis.core.input.Nearest
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -49,16 +52,16 @@ class SettingsTest {
         assertEquals(listOf(4.0, 5.0, 9.0), with("box.lengths[2]=9").box.lengths)
         assertEquals(listOf(7.0, 5.0, 8.0), with("box.lengths[2]=8", "box.lengths[0]=7").box.lengths)
         val forces = with("forces[1].openingAngle=0.25", "forces[0].acceleration[1]=2.5").forces
-        assertEquals(0.25, (forces[1] as ForceSpec.SelfGravity).openingAngle)
-        assertEquals(1.0, (forces[1] as ForceSpec.SelfGravity).constant)
-        assertEquals(listOf(0.0, 2.5, -1.0), (forces[0] as ForceSpec.UniformAcceleration).acceleration)
+        assertEquals(0.25, (forces[1] as SelfGravitySpec).openingAngle)
+        assertEquals(1.0, (forces[1] as SelfGravitySpec).constant)
+        assertEquals(listOf(0.0, 2.5, -1.0), (forces[0] as UniformAccelerationSpec).acceleration)
         val replaced = with("""forces[0]={"type":"self-gravity","constant":2}""").forces
-        assertEquals(listOf(2.0, 1.0), replaced.map { (it as ForceSpec.SelfGravity).constant })
+        assertEquals(listOf(2.0, 1.0), replaced.map { (it as SelfGravitySpec).constant })
     }
 
     @Test
     fun `an entry is added at the end of a list, whether the list is there or not`() {
-        fun constants(forces: List<ForceSpec>) = forces.filterIsInstance<ForceSpec.SelfGravity>().map { it.constant }
+        fun constants(forces: List<ForceSpec>) = forces.filterIsInstance<SelfGravitySpec>().map { it.constant }
         val more = """{"type":"self-gravity","constant":2}"""
         assertEquals(listOf(1.0, 2.0), constants(with("forces[+]=$more").forces))
         assertEquals(listOf(1.0, 3.0), constants(with("forces[+]=$more", "forces[2].constant=3").forces))

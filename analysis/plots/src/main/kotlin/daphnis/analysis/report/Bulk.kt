@@ -2,7 +2,6 @@ package daphnis.analysis.report
 
 import daphnis.analysis.input.AnalysisInput
 import daphnis.analysis.insitu.State
-import daphnis.core.scenario.ForceSpec
 import kotlin.math.PI
 
 /** How many and how large the particles of a [state] are, and what follows from that alone. Bodies are left out. */
@@ -35,10 +34,7 @@ internal class Bulk(state: State, input: AnalysisInput) {
     val numberDensity: Double = particles / volume
 
     /** G of the run's self-gravity; null without. */
-    val selfGravity: Double? = input.scenario?.run {
-        forces.filterIsInstance<ForceSpec.SelfGravity>().firstOrNull()
-            ?.let { it.constant ?: units.gravitationalConstant }
-    }
+    val selfGravity: Double? = input.scenario?.selfGravity
 
     /** Toomre's 4π² G Σ/κ²; NaN without self-gravity. */
     val criticalWavelength: Double =

@@ -1,7 +1,6 @@
 package daphnis.analysis.report
 
 import daphnis.core.scenario.BoundarySpec
-import daphnis.core.scenario.ForceSpec
 import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.TimeStepSpec
 import daphnis.core.scenario.WallMotionSpec
@@ -12,9 +11,9 @@ import kotlin.math.round
 internal object DrivenWalls {
     /** Whether a uniform force presses spheres against a wall or out of an open face, so that their density varies. */
     fun isUnderGravity(study: Study): Boolean {
-        val forces = study.input.scenario?.forces.orEmpty().filterIsInstance<ForceSpec.UniformAcceleration>()
+        val forces = study.input.scenario?.forces.orEmpty().mapNotNull { it.acceleration }
         return forces.any { force ->
-            (0 until study.last.dimensions).any { force.acceleration[it] != 0.0 && !study.last.boundary.hasImages(it) }
+            (0 until study.last.dimensions).any { force[it] != 0.0 && !study.last.boundary.hasImages(it) }
         }
     }
 

@@ -3,7 +3,6 @@ package daphnis.analysis.report
 import daphnis.analysis.input.AnalysisInput
 import daphnis.core.population.granularTemperature
 import daphnis.core.scenario.BoundarySpec
-import daphnis.core.scenario.ForceSpec
 import daphnis.core.scenario.GuardSpec
 import daphnis.core.scenario.RestitutionSpec
 import daphnis.core.scenario.RoughnessSpec
@@ -63,7 +62,7 @@ internal object FreeCooling {
     /** An acceleration that is the same everywhere heats nothing; gravity of spheres can. */
     private fun isDriven(scenario: Scenario): Boolean = scenario.frame != null ||
         isBoundaryDriving(scenario.boundary) ||
-        scenario.forces.any { it !is ForceSpec.UniformAcceleration }
+        scenario.forces.any { it.heats }
 
     private fun isBoundaryDriving(boundary: BoundarySpec): Boolean = when (boundary) {
         is BoundarySpec.LeesEdwards -> boundary.shearRate != 0.0

@@ -3,8 +3,8 @@ package daphnis.analysis.report
 import daphnis.analysis.streamline.Encounter
 import daphnis.analysis.table.UnitNames
 import daphnis.core.boundary.Box
+import daphnis.core.hill.Moon
 import daphnis.core.orbit.OrbitalFrequencies
-import daphnis.core.scenario.ForceSpec
 import daphnis.core.scenario.FrameSpec
 import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.gravitationalParameter
@@ -12,8 +12,7 @@ import daphnis.core.scenario.gravitationalParameter
 /** The passage of a scenario's moon by its patch: the [Encounter] it makes, and its rows in the report. */
 internal object MoonEncounter {
     /** The moons of [scenario], in its order. */
-    fun moons(scenario: Scenario?): List<ForceSpec.Satellite> =
-        scenario?.forces?.filterIsInstance<ForceSpec.Satellite>().orEmpty()
+    fun moons(scenario: Scenario?): List<Moon> = scenario?.forces?.filterIsInstance<Moon>().orEmpty()
 
     /**
      * Of a [moon] with the middle of [box], among these [orbits]; null without a moon, and where the unit of length
@@ -23,13 +22,12 @@ internal object MoonEncounter {
         scenario: Scenario?,
         orbits: OrbitalFrequencies,
         box: Box,
-        moon: ForceSpec.Satellite? = moons(scenario).firstOrNull(),
+        moon: Moon? = moons(scenario).firstOrNull(),
     ): Encounter? {
         if (scenario == null || moon == null) return null
         val frame = scenario.frame as? FrameSpec.Hill ?: return null
         val planet = frame.gravitationalParameter(scenario.units) ?: return null
-        val constant = moon.constant ?: scenario.units.gravitationalConstant ?: return null
-        val ratio = moon.massRatio ?: moon.mass?.let { it * constant / planet } ?: return null
+        val ratio = moon.massRatio(scenario.units, planet) ?: return null
         val distance = (box.lowerX + box.upperX) / 2 - moon.x
         // The moon pulls by μ GM where orbits take 2π/Ω, which is what the frame knows of its distance.
         val axis = Math.cbrt(planet / (orbits.omega * orbits.omega))

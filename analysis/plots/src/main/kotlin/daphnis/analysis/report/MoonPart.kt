@@ -4,15 +4,15 @@ import daphnis.analysis.plot.Chart
 import daphnis.analysis.plot.Curve
 import daphnis.analysis.streamline.Streamlines
 import daphnis.core.hill.Epicycle
+import daphnis.core.hill.Moon
 import daphnis.core.orbit.OrbitalFrequencies
-import daphnis.core.scenario.ForceSpec
 import daphnis.core.scenario.FrameSetup
 import kotlin.math.sign
 
 /** What the [moon] of a scenario does to streamlines; nothing but its place where its encounter is not known. */
 internal class MoonPart private constructor(
     private val study: Study,
-    private val moon: ForceSpec.Satellite,
+    private val moon: Moon,
     private val orbits: OrbitalFrequencies,
 ) {
     private val units = study.units
@@ -23,7 +23,7 @@ internal class MoonPart private constructor(
     /** Where the moon is along the orbit, at the time of the last state. */
     val y: Double = now(moon).state(orbits)[1]
 
-    private fun now(moon: ForceSpec.Satellite): Epicycle {
+    private fun now(moon: Moon): Epicycle {
         val now = moon.orbit.after(last.time, orbits)
         val distance = study.input.scenario?.let { FrameSetup.distance(it, orbits) }
         return if (moon.returns && distance != null) now.onCircle(2 * Math.PI * distance) else now
@@ -68,8 +68,8 @@ internal class MoonPart private constructor(
         }
     }
 
-    private fun period(moon: ForceSpec.Satellite) =
-        study.input.scenario?.let { FrameSetup.orbitsBetweenPassages(it, orbits, moon) }
+    private fun period(moon: Moon) =
+        study.input.scenario?.let { FrameSetup.distance(it, orbits) }?.let { moon.orbitsBetweenPassages(it, orbits) }
 
     companion object {
         /** Of the first satellite of the scenario; null without one, or without Hill's frame. */

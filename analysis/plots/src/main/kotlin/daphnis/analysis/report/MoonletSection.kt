@@ -38,7 +38,7 @@ internal class Moonlet private constructor(val id: Int, val radius: Double, val 
             val p = study.last.population
             val at = (0 until p.size).filter { study.input.isBody(p.id[it]) }.minByOrNull { p.id[it] } ?: return null
             val omega = study.input.omega ?: return null
-            val g = study.input.scenario?.let { GravityConstant.of(it) } ?: Double.NaN
+            val g = study.input.scenario?.gravitationalConstant ?: Double.NaN
             return Moonlet(p.id[at], p.radius[at], Math.cbrt(g * p.mass[at] / (3 * omega * omega)))
         }
     }

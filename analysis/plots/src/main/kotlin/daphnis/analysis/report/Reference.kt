@@ -4,11 +4,9 @@ import daphnis.analysis.insitu.State
 import daphnis.analysis.theory.HeatedGas
 import daphnis.core.orbit.OrbitalFrequencies
 import daphnis.core.scenario.BoundarySpec
-import daphnis.core.scenario.ForceSpec
 import daphnis.core.scenario.GuardSpec
 import daphnis.core.scenario.RestitutionSpec
 import daphnis.core.scenario.Scenario
-import daphnis.core.scenario.ThermostatSpec
 import kotlin.math.abs
 import kotlin.math.hypot
 import kotlin.math.sqrt
@@ -111,11 +109,11 @@ internal object References {
     /** Temperature and a₂ of a gas that white noise heats, van Noije & Ernst 1998. */
     fun ofHeated(scenario: Scenario, last: State, numberDensity: Double): Map<String, Reference> {
         val law = scenario.restitution as? RestitutionSpec.Constant ?: return emptyMap()
-        val noise = scenario.forces.singleOrNull() as? ThermostatSpec.WhiteNoise ?: return emptyMap()
+        val noise = scenario.forces.singleOrNull()?.noise ?: return emptyMap()
         val isPeriodic = scenario.boundary is BoundarySpec.Periodic && (0..2).all { last.boundary.repeats(it) }
         if (!isPeriodic || scenario.frame != null || law.coefficient < LEAST_HEATED) return emptyMap()
-        if (!isPlain(scenario, last, noise)) return emptyMap()
-        val intensity = noise.intensity ?: (2 * noise.drag * noise.temperature!! / last.population.mass[0])
+        if (!isPlain(scenario, last, forces = 1)) return emptyMap()
+        val intensity = noise.intensity(last.population.mass[0])
         val diameter = 2 * last.population.radius[0]
         val t = HeatedGas.temperature(intensity, noise.drag, law.coefficient, numberDensity, diameter)
         if (!(t > 0 && t.isFinite())) return emptyMap()
@@ -126,21 +124,20 @@ internal object References {
     }
 
     /**
-     * Whether equal spheres meet each other and nothing else: no force but [heated], no body, no guard that is felt.
+     * Whether equal spheres meet each other and nothing else: so many [forces], no body, no guard that is felt.
      */
-    fun isPlain(scenario: Scenario, last: State, heated: ForceSpec? = null): Boolean =
-        scenario.forces == listOfNotNull(heated) &&
-            scenario.contacts.isEmpty() &&
-            ElasticGas.isSmooth(scenario) &&
-            scenario.bodies.isEmpty() &&
-            ElasticGas.areEqual(last.population.radius) &&
-            ElasticGas.areEqual(last.population.mass) &&
-            when (val guard = scenario.guard) {
-                null, is GuardSpec.None -> true
-                // A run has resolved what is relative to a speed.
-                is GuardSpec.FloorSpeed -> (guard.relative ?: (guard.speed ?: Double.NaN).div(rms(last))) <= FELT
-                is GuardSpec.ContactDuration -> false
-            }
+    fun isPlain(scenario: Scenario, last: State, forces: Int = 0): Boolean = scenario.forces.size == forces &&
+        scenario.contacts.isEmpty() &&
+        ElasticGas.isSmooth(scenario) &&
+        scenario.bodies.isEmpty() &&
+        ElasticGas.areEqual(last.population.radius) &&
+        ElasticGas.areEqual(last.population.mass) &&
+        when (val guard = scenario.guard) {
+            null, is GuardSpec.None -> true
+            // A run has resolved what is relative to a speed.
+            is GuardSpec.FloorSpeed -> (guard.relative ?: (guard.speed ?: Double.NaN).div(rms(last))) <= FELT
+            is GuardSpec.ContactDuration -> false
+        }
 
     /** Root mean square of a component of the velocities. */
     private fun rms(state: State): Double {

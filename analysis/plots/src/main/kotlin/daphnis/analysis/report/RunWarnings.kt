@@ -2,7 +2,6 @@ package daphnis.analysis.report
 
 import daphnis.core.input.InputException
 import daphnis.core.run.Summary
-import daphnis.core.scenario.ForceSpec
 import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.ScenarioSetup
 import daphnis.core.scenario.warnings
@@ -40,7 +39,7 @@ internal object RunWarnings {
 
     /** In a steady state shear does the work that collisions dissipate, unless other forces work too. */
     private fun imbalance(scenario: Scenario, rows: List<NumberRow>): String? {
-        if (scenario.forces.any { it !is ForceSpec.SelfGravity }) return null
+        if (scenario.forces.any { !it.isAmongAll }) return null
         val balance = rows.find { it.key == "shear_work_over_dissipation" } ?: return null
         return if (isOff(balance.value, balance.error)) {
             "Shear does ${ReportText.withError(balance.value, balance.error)} of the work that collisions dissipate, " +

@@ -1,15 +1,13 @@
 package daphnis.analysis.report
 
 import daphnis.analysis.table.UnitNames
-import daphnis.core.scenario.ForceSpec
 
 /** What to say of a ring that drifts and has no steady part: a longer run does not help every one. */
 internal object Unsteady {
     /** Total over thermal dispersion from which the motion is mostly that of waves. */
     private const val WAVES = 1.5
 
-    private fun hasMoon(study: Study) =
-        study.input.scenario?.forces.orEmpty().any { it is ForceSpec.Satellite && !it.returns }
+    private fun hasMoon(study: Study) = MoonEncounter.moons(study.input.scenario).any { !it.returns }
 
     fun advice(study: Study): String =
         advice(hasMoon(study), study.motion.totalDispersion.mean / study.motion.thermalDispersion.mean)

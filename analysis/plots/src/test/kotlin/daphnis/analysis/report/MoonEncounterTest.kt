@@ -56,7 +56,7 @@ class MoonEncounterTest {
             )!!,
             box,
             units,
-            FrameSetup.orbitsBetweenPassages(wake(), orbits, MoonEncounter.moons(wake()).first()),
+            MoonEncounter.moons(wake()).first().orbitsBetweenPassages(FrameSetup.distance(wake(), orbits)!!, orbits),
         )
         // The run's: the circumference in the middle of the frame over 3/2 · 167 km.
         val between = rows(0.0).single { it.name == "time between passages" }.value
