@@ -29,14 +29,14 @@ from .laws import (
 )
 from .mdanalysis import universe
 from .report import Picture, Report, analyze
-from .runs import Run
+from .runs import Run, States
 
 # Not in __all__: a star would put it in the place of Python's own.
 from .runs import open as open
 from .scenarios import Scenario, scenario, scenarios
 from .simulation import Simulation
 from .starting import resume, run
-from .states import State, States
+from .states import State
 
 _end_by_signal()
 

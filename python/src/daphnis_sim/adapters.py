@@ -2,17 +2,41 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any, Protocol
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ._errors import InputError
 
-if TYPE_CHECKING:
-    from .states import State
+
+class Snapshot(Protocol):
+    """What the other programs get of a `daphnis_sim.State`, whose words these are."""
+
+    @property
+    def time(self) -> float: ...
+    @property
+    def step(self) -> int: ...
+    @property
+    def dimensions(self) -> int: ...
+    @property
+    def id(self) -> NDArray[np.int32]: ...
+    @property
+    def position(self) -> NDArray[np.float64]: ...
+    @property
+    def velocity(self) -> NDArray[np.float64]: ...
+    @property
+    def radius(self) -> NDArray[np.float64]: ...
+    @property
+    def mass(self) -> NDArray[np.float64]: ...
+    @property
+    def periodic(self) -> NDArray[np.bool_]: ...
+    @property
+    def cell(self) -> NDArray[np.float64]: ...
+    def __len__(self) -> int: ...
 
 
-def to_freud(state: State) -> tuple[Any, Any]:
+def to_freud(state: Snapshot) -> tuple[Any, Any]:
     """``freud.box.Box`` and points of `state`."""
     try:
         import freud
@@ -35,7 +59,7 @@ def to_freud(state: State) -> tuple[Any, Any]:
     return box, np.ascontiguousarray(state.position, dtype=np.float32)
 
 
-def to_ase(state: State) -> Any:
+def to_ase(state: Snapshot) -> Any:
     """``ase.Atoms`` of `state`."""
     try:
         import ase
@@ -57,7 +81,7 @@ def to_ase(state: State) -> Any:
     return atoms
 
 
-def to_ovito(state: State) -> Any:
+def to_ovito(state: Snapshot) -> Any:
     """``ovito.data.DataCollection`` of `state`."""
     try:
         from ovito.data import DataCollection, Particles, SimulationCell
@@ -82,7 +106,7 @@ def to_ovito(state: State) -> Any:
     return data
 
 
-def _cell(state: State) -> Any:
+def _cell(state: Snapshot) -> Any:
     """Edges by row; along an open axis as long as the spheres reach, on both sides of the origin."""
     cell = np.array(state.cell, float)
     for axis in range(3):
@@ -93,7 +117,7 @@ def _cell(state: State) -> Any:
     return cell
 
 
-def _upright(state: State, what: str) -> None:
+def _upright(state: Snapshot, what: str) -> None:
     """Refuses a cell that leans along y by x, as in Hill's frame, which freud cannot say."""
     cell = _cell(state)
     if cell[0, 1] != 0 or cell[0, 2] != 0 or cell[1, 2] != 0:

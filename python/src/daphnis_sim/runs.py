@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -15,11 +15,12 @@ from ._errors import FormatError, InputError, translated
 from ._execution import Watch
 from ._jvm import java, java_path
 from ._paths import shown_path
+from ._resuming import resumed
 from .laws import BothLaw, Force, Law, Surface
 from .report import Report
 from .report import analyze as _analyze
 from .scenarios import Scenario, ScenarioLike, Settings, Units
-from .states import State, States
+from .states import State
 from .tables import Tables, read_table
 from .view import View
 
@@ -211,10 +212,8 @@ class Run:
         progress: bool | None = None,
     ) -> Run:
         """`daphnis.resume` of this run, with its arguments."""
-        from .starting import resume
-
-        given = {name: value for name, value in locals().items() if name not in ("self", "resume")}
-        return resume(self.path, **given)
+        given = {name: value for name, value in locals().items() if name != "self"}
+        return Run(self.path, resumed(self.path, **given))
 
     def _repr_html_(self) -> str:
         entries = self._entries() or {}
@@ -230,6 +229,35 @@ class Run:
 
     def __repr__(self) -> str:
         return f"<Run {shown_path(self.path)!r}>"
+
+
+class States:
+    """The states of a run, each read when it is come to. Going through them again sees what was written since."""
+
+    def __init__(self, run: Run) -> None:
+        self._run = run
+
+    def __iter__(self) -> Iterator[State]:
+        with translated():
+            # The class of the object has no name, under which JPype would find its methods; Java itself does.
+            method = java("java.lang.Class").forName("java.lang.Iterable").getMethod("iterator")
+            iterator = method.invoke(self._run.java.states())
+        while True:
+            with translated():
+                if not iterator.hasNext():
+                    return
+                snapshot = iterator.next()
+            yield State(snapshot, self._run._known_units, self._run)
+
+    def __len__(self) -> int:
+        return len(self._run.steps)
+
+    @checked
+    def __getitem__(self, k: int) -> State:
+        return self._run.at_step(self._run.steps[k])
+
+    def __repr__(self) -> str:
+        return f"<{len(self)} states of {shown_path(self._run.path)!r}>"
 
 
 @checked

@@ -14,6 +14,7 @@ from ._arguments import checked
 from ._errors import InputError, PythonFailure, translated
 from ._execution import Watch, carried_out
 from ._jvm import java, java_path
+from ._resuming import resumed
 from .laws import BothLaw, Force, Law, Surface
 from .program import Program, engines, fitted
 from .runs import Run
@@ -150,30 +151,8 @@ def resume(
         RunError: as for `run`.
         Interrupted: after Ctrl-C.
     """
-    directory = Path(path)
-    given = laws.as_laws(restitution, roughness, contact_law)
-    if not given and not forces:
-        if scenario is not None or set is not None:
-            raise InputError("scenario: is for runs with laws or forces of Python; others have theirs")
-
-        def start() -> Any:
-            end = None if until is None else java("java.lang.Double")(until)
-            return java("daphnis.core.run.Run").resume(java_path(directory), end, engines(), accept_loss)
-
-        return _carried(start, directory, PythonFailure(), watch, progress)
-    if scenario is None:
-        raise InputError("scenario: is missing; a run with laws or forces of Python is resumed with its scenario")
-    settings = dict(set or {})
-    settings = fitted(scenario, settings, given)
-    failure = PythonFailure()
-    program = Program(as_scenario(scenario, set=settings), given, forces, failure, until)
-    return _carried(
-        lambda: java("daphnis.core.run.Run").resume(program.proxy(), java_path(directory), accept_loss),
-        directory,
-        failure,
-        watch,
-        progress,
-    )
+    given = dict(locals())
+    return Run(path, resumed(**given))
 
 
 def _carried(

@@ -4,26 +4,23 @@ from __future__ import annotations
 
 import functools
 import tempfile
-from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from . import _arrays
-from ._arguments import checked
+from . import _arrays, adapters
 from ._errors import InputError, translated
 from ._jvm import java, java_path
-from ._paths import shown_path
 from ._version import __version__
+from .scenarios import Units
 
 if TYPE_CHECKING:
     import pandas as pd
     from matplotlib.axes import Axes
 
     from .runs import Run
-    from .scenarios import Units
 
 _VIEWS = {"top": (1, 0, 2, 1), "side": (1, 2, 0, 1), "along": (0, 2, 1, -1)}
 """Axes to the right, upward and along the sight, and the sign with which that points to the reader."""
@@ -173,9 +170,7 @@ class State:
         Raises:
             InputError: images have slid along y, as in Hill's frame: a box of freud leans along x only.
         """
-        from .adapters import to_freud
-
-        return to_freud(self)
+        return adapters.to_freud(self)
 
     def to_ase(self) -> Any:
         """``ase.Atoms`` with positions, velocities, masses, cell and periodic axes, in the order of ids.
@@ -183,18 +178,14 @@ class State:
         Atoms are of the element X with arrays ``radius`` and ``id``, and ``info["time"]``. All numbers are in the units
         of the scenario: nothing is converted to Å and ASE's units. It needs ``pip install ase``.
         """
-        from .adapters import to_ase
-
-        return to_ase(self)
+        return adapters.to_ase(self)
 
     def to_ovito(self) -> Any:
         """An ``ovito.data.DataCollection`` with particles and cell, for OVITO's modifiers and pictures.
 
         Particles are in the order of ids, with their radii, velocities and masses. It needs ``pip install ovito``.
         """
-        from .adapters import to_ovito
-
-        return to_ovito(self)
+        return adapters.to_ovito(self)
 
     def plot(self, ax: Axes | None = None, *, view: str = "top", color: Any = None, **keywords: Any) -> Axes:
         """Draws the spheres to scale with matplotlib.
@@ -283,32 +274,3 @@ def _unpickled(content: bytes, units: Units | None) -> State:
         path.write_bytes(content)
         with translated():
             return State(java("daphnis.core.format.SnapshotFormats").read(java_path(path)).get(0), units)
-
-
-class States:
-    """The states of a run, each read when it is come to. Going through them again sees what was written since."""
-
-    def __init__(self, run: Run) -> None:
-        self._run = run
-
-    def __iter__(self) -> Iterator[State]:
-        with translated():
-            # The class of the object has no name, under which JPype would find its methods; Java itself does.
-            method = java("java.lang.Class").forName("java.lang.Iterable").getMethod("iterator")
-            iterator = method.invoke(self._run.java.states())
-        while True:
-            with translated():
-                if not iterator.hasNext():
-                    return
-                snapshot = iterator.next()
-            yield State(snapshot, self._run._known_units, self._run)
-
-    def __len__(self) -> int:
-        return len(self._run.steps)
-
-    @checked
-    def __getitem__(self, k: int) -> State:
-        return self._run.at_step(self._run.steps[k])
-
-    def __repr__(self) -> str:
-        return f"<{len(self)} states of {shown_path(self._run.path)!r}>"
