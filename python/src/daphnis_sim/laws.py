@@ -202,7 +202,7 @@ class Restitution(_OfFunction):
             "coefficient": _kept(failure, coefficient),
             "restitution": _kept(failure, lambda contact: coefficient(contact.getNormalSpeed())),
         }
-        return jpype.JProxy(java("daphnis.core.collision.Restitution"), dict=calls)
+        return jpype.JProxy(java("daphnis.core.surface.Restitution"), dict=calls)
 
 
 class Roughness(_OfFunction):

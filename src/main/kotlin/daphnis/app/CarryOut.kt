@@ -102,7 +102,7 @@ internal fun CliktCommand.carryOut(
 
 /** The state of another run from which this one starts, in words; empty without one. */
 private fun originOf(run: Run): String {
-    val placement = run.scenario?.placement as? PlacementSpec.File ?: return ""
+    val placement = run.scenario?.placement?.file ?: return ""
     return placement.run?.let { "from step ${placement.step ?: 0} of $it, " }.orEmpty()
 }
 

@@ -120,9 +120,9 @@ class RunCommand : CliktCommand(name = "run") {
             throw InputException("--steps", null, "is given together with --until; one of the two is enough")
         }
         if (steps < 1) throw InputException("--steps", null, "is $steps; it must be at least 1")
-        val step = FrameSetup.times(scenario.copy(until = 1.0), source).timeStep as? TimeStepSpec.Fixed
+        val step = FrameSetup.times(scenario.copy(until = 1.0), source).timeStep.dt
             ?: throw InputException("--steps", null, "needs a fixed time step; use --until")
-        return scenario.copy(until = (origin?.state?.time ?: scenario.startTime) + steps * step.dt)
+        return scenario.copy(until = (origin?.state?.time ?: scenario.startTime) + steps * step)
     }
 
     /** A state of the end of a run, which is the usual one, leaves nothing to do. */

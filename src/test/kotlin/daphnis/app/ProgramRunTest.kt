@@ -6,7 +6,6 @@ import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.LeesEdwards
 import daphnis.core.boundary.Periodic
-import daphnis.core.collision.ConstantRestitution
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.population.Population
 import daphnis.core.run.Program
@@ -14,6 +13,7 @@ import daphnis.core.run.Run
 import daphnis.core.scenario.BuiltIn
 import daphnis.core.scenario.OutputSpec
 import daphnis.core.scenario.ScenarioSetup
+import daphnis.core.surface.ConstantRestitution
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir

@@ -10,7 +10,6 @@ import daphnis.core.boundary.Open
 import daphnis.core.boundary.Periodic
 import daphnis.core.boundary.ShearedPeriodic
 import daphnis.core.boundary.Walls
-import daphnis.core.collision.ConstantRestitution
 import daphnis.core.collision.FloorSpeedGuard
 import daphnis.core.collision.NoGuard
 import daphnis.core.engine.CollisionEngine
@@ -27,6 +26,7 @@ import daphnis.core.initial.RandomPlacement
 import daphnis.core.initial.SeededRandom
 import daphnis.core.parallel.FixedPool
 import daphnis.core.population.Population
+import daphnis.core.surface.ConstantRestitution
 import java.util.Locale
 
 /** A system on which engines are timed, of any kind that a user may have. Everything follows from [seed]. */

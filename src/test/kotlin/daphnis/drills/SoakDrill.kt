@@ -5,12 +5,12 @@ import daphnis.core.FixedTimeStep
 import daphnis.core.Simulation
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.Periodic
-import daphnis.core.collision.ConstantRestitution
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.population.Population
 import daphnis.core.population.PopulationSums
 import daphnis.core.search.Overlap
+import daphnis.core.surface.ConstantRestitution
 import java.nio.file.Files
 import java.nio.file.Path
 import java.util.Locale

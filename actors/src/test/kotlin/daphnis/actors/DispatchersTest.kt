@@ -5,12 +5,12 @@ import daphnis.actors.region.RegionLayout
 import daphnis.core.boundary.Open
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.collision.CollisionLaw
-import daphnis.core.collision.ConstantRestitution
 import daphnis.core.engine.SerialEngine
 import daphnis.core.engine.horizon.HorizonTuning
 import daphnis.core.population.Population
 import daphnis.core.population.stateDigest
 import daphnis.core.step.CollisionStep
+import daphnis.core.surface.ConstantRestitution
 import kotlinx.coroutines.CoroutineDispatcher
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.launch

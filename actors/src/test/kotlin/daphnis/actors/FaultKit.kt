@@ -13,8 +13,6 @@ import daphnis.core.boundary.Box
 import daphnis.core.boundary.Periodic
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.collision.CollisionLaw
-import daphnis.core.collision.ConstantRestitution
-import daphnis.core.collision.Restitution
 import daphnis.core.digests
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.SerialEngine
@@ -25,6 +23,8 @@ import daphnis.core.population.stateDigest
 import daphnis.core.populationOf
 import daphnis.core.simulationOf
 import daphnis.core.step.CollisionStep
+import daphnis.core.surface.ConstantRestitution
+import daphnis.core.surface.Restitution
 import kotlinx.coroutines.CoroutineDispatcher
 import org.apache.pekko.actor.typed.ActorSystem
 import org.apache.pekko.actor.typed.javadsl.Behaviors

@@ -9,11 +9,11 @@ import daphnis.actors.region.RegionCommand
 import daphnis.core.FixedTimeStep
 import daphnis.core.Simulation
 import daphnis.core.boundary.Open
-import daphnis.core.collision.ConstantRestitution
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.population.Population
 import daphnis.core.population.stateDigest
 import daphnis.core.step.CollapseException
+import daphnis.core.surface.ConstantRestitution
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertSame
 import org.junit.jupiter.api.Assertions.assertThrows

@@ -9,10 +9,10 @@ import daphnis.analysis.streamline.Streamlines
 import daphnis.core.FixedTimeStep
 import daphnis.core.Simulation
 import daphnis.core.boundary.Box
-import daphnis.core.collision.BridgesRestitution
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.hill.HillFrame
 import daphnis.core.hill.HillSheet
+import daphnis.core.surface.BridgesRestitution
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue

@@ -3,7 +3,6 @@ package daphnis.bench
 import daphnis.core.FixedTimeStep
 import daphnis.core.Simulation
 import daphnis.core.boundary.Periodic
-import daphnis.core.collision.ConstantRestitution
 import daphnis.core.collision.NoGuard
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.CollisionForcing
@@ -11,6 +10,7 @@ import daphnis.core.population.Population
 import daphnis.core.scenario.BuiltIn
 import daphnis.core.scenario.ScenarioJson
 import daphnis.core.scenario.ScenarioSetup
+import daphnis.core.surface.ConstantRestitution
 
 /**
  * What the engines are compared on. Each begins in the same state every time and advances [steps] steps.

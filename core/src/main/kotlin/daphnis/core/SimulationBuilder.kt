@@ -1,12 +1,12 @@
 package daphnis.core
 
 import daphnis.core.boundary.BoundaryConditions
-import daphnis.core.collision.Restitution
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.force.Force
 import daphnis.core.force.Kick
 import daphnis.core.population.Population
 import daphnis.core.surface.ContactLaw
+import daphnis.core.surface.Restitution
 
 /**
  * The parts of a [Simulation] by their names, from [Simulation.builder]. It needs a boundary, a time step, and one of

@@ -2,14 +2,14 @@ package daphnis.core
 
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.collision.CollisionLaw
-import daphnis.core.collision.ConstantRestitution
-import daphnis.core.collision.Restitution
 import daphnis.core.force.Kick
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.Population
 import daphnis.core.population.stateDigest
 import daphnis.core.step.CollisionStep
+import daphnis.core.surface.ConstantRestitution
+import daphnis.core.surface.Restitution
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.Timeout

@@ -4,8 +4,6 @@ import daphnis.core.boundary.Box
 import daphnis.core.boundary.Periodic
 import daphnis.core.cluster.bricks.BrickDivision
 import daphnis.core.cluster.bricks.BricksTogether
-import daphnis.core.collision.ConstantRestitution
-import daphnis.core.collision.Restitution
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.engine.SerialEngine
@@ -15,6 +13,8 @@ import daphnis.core.force.Force
 import daphnis.core.parallel.ExecutorHandler
 import daphnis.core.parallel.FixedPool
 import daphnis.core.population.stateDigest
+import daphnis.core.surface.ConstantRestitution
+import daphnis.core.surface.Restitution
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 

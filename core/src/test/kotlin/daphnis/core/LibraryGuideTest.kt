@@ -4,9 +4,6 @@ import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.Open
 import daphnis.core.boundary.Periodic
-import daphnis.core.collision.BridgesRestitution
-import daphnis.core.collision.ConstantRestitution
-import daphnis.core.collision.Restitution
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.force.Kick
 import daphnis.core.force.PerSphereEnergy
@@ -25,6 +22,9 @@ import daphnis.core.run.RunOrigin
 import daphnis.core.scenario.BuiltIn
 import daphnis.core.scenario.OutputSpec
 import daphnis.core.scenario.ScenarioSetup
+import daphnis.core.surface.BridgesRestitution
+import daphnis.core.surface.ConstantRestitution
+import daphnis.core.surface.Restitution
 import daphnis.core.table.UnitsOfDimensions
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue

@@ -4,7 +4,6 @@ import daphnis.core.boundary.Box
 import daphnis.core.boundary.Periodic
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.collision.CollisionLaw
-import daphnis.core.collision.ConstantRestitution
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.SerialEngine
 import daphnis.core.engine.islands.IslandsEngine
@@ -17,6 +16,7 @@ import daphnis.core.parallel.WorkerTask
 import daphnis.core.population.Population
 import daphnis.core.population.stateDigest
 import daphnis.core.step.CollisionStep
+import daphnis.core.surface.ConstantRestitution
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertSame
 import org.junit.jupiter.api.Assertions.assertThrows

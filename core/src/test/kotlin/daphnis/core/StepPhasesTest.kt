@@ -4,7 +4,6 @@ import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.PerSphereBoundary
 import daphnis.core.boundary.Periodic
-import daphnis.core.collision.ConstantRestitution
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.engine.horizon.HorizonEngine
@@ -20,6 +19,7 @@ import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.Pieces
 import daphnis.core.population.Population
 import daphnis.core.population.stateDigest
+import daphnis.core.surface.ConstantRestitution
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertNotEquals

@@ -1,7 +1,6 @@
 package daphnis.core
 
 import daphnis.core.boundary.Open
-import daphnis.core.collision.ConstantRestitution
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.force.Kick
 import daphnis.core.force.PerSphereEnergy
@@ -10,6 +9,7 @@ import daphnis.core.population.Population
 import daphnis.core.run.Program
 import daphnis.core.run.Run
 import daphnis.core.scenario.OutputSpec
+import daphnis.core.surface.ConstantRestitution
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test

@@ -2,14 +2,14 @@ package daphnis.core
 
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.collision.CollapseGuard
-import daphnis.core.collision.ConstantRestitution
 import daphnis.core.collision.NoGuard
-import daphnis.core.collision.Restitution
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.engine.SerialEngine
 import daphnis.core.population.Population
 import daphnis.core.population.stateDigest
+import daphnis.core.surface.ConstantRestitution
+import daphnis.core.surface.Restitution
 
 fun simulationOf(
     population: Population,

@@ -70,7 +70,7 @@ internal data class RunCitation(
             val path = "${run.directory.path}"
             val scenario = scenarioOf(run)
             val summary = finished(run)
-            if (scenario.placement is PlacementSpec.File) {
+            if (scenario.placement.file != null) {
                 val mend = "give the run directory itself, and pass that on"
                 throw InputException(path, null, "begins from a state in a file, which a citation does not hold; $mend")
             }

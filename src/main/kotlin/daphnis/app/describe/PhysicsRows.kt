@@ -6,9 +6,6 @@ import daphnis.core.input.Quantities
 import daphnis.core.input.Quantities.Companion.number
 import daphnis.core.orbit.OrbitalFrequencies
 import daphnis.core.population.granularTemperature
-import daphnis.core.scenario.FrameSpec
-import daphnis.core.scenario.GuardSpec
-import daphnis.core.scenario.RestitutionSpec
 import daphnis.core.scenario.ScenarioSetup
 import daphnis.core.surface.MaterialLaws
 import daphnis.core.surface.SurfaceContact
@@ -80,10 +77,7 @@ internal class PhysicsRows(private val setup: ScenarioSetup, private val say: Qu
         rows.add("box", "$edges, ${scenario.boundary.inWords(::number, say::speed)}")
         say.unitOfTime()?.let { rows.add("unit of time", it) }
         val orbits = setup.frequencies ?: return
-        val frame = scenario.frame as FrameSpec.Hill
-        val where = frame.distanceInKm?.let {
-            ", ${"%.0f".format(Locale.ROOT, it)} km from ${frame.planet.name.lowercase()}"
-        }.orEmpty()
+        val where = scenario.frame?.inWords?.let { ", $it" }.orEmpty()
         val orbit = 2 * Math.PI / orbits.omega
         rows.add(
             "orbit",
@@ -144,14 +138,7 @@ internal class PhysicsRows(private val setup: ScenarioSetup, private val say: Qu
         rows.add("restitution", restitution())
         surfaces()
         materials.contacts()
-        when (val guard = scenario.guard) {
-            is GuardSpec.None -> rows.add("guard", "none")
-            is GuardSpec.FloorSpeed -> rows.add("guard", "elastic below ${say.speed(guard.speed ?: 0.0)}")
-            is GuardSpec.ContactDuration -> rows.add(
-                "guard",
-                "elastic within ${say.time(guard.duration)} of the last collision",
-            )
-        }
+        rows.add("guard", scenario.guard.inWords(say))
     }
 
     private fun restitution(): String {
@@ -166,12 +153,9 @@ internal class PhysicsRows(private val setup: ScenarioSetup, private val say: Qu
         val c = dispersion()
         val centimetre = 1 / scenario.units.speedInCmPerSecond
         val examples = if (c > 0) "${at(c)} (as at the start), ${at(centimetre)}" else at(centimetre)
-        val words = when (val law = scenario.restitution) {
-            is RestitutionSpec.Constant -> law.inWords(say)
-            is RestitutionSpec.Viscoelastic ->
-                "viscoelastic; of two spheres of radius ${say.length(radius)} and mass ${say.mass(mass)}: $examples"
-            else -> "${law.inWords(say)}: $examples"
-        }
+        val law = scenario.restitution
+        val of = if (law.dependsOnSize) "; of two of radius ${say.length(radius)} and mass ${say.mass(mass)}" else ""
+        val words = law.inWords(say) + if (law.constant == null) "$of: $examples" else ""
         return words + ofOthers(scenario.contacts.any { it.restitution != null })
     }
 

@@ -3,11 +3,11 @@ package daphnis.actors.region
 import daphnis.actors.gas
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.collision.CollisionLaw
-import daphnis.core.collision.ConstantRestitution
 import daphnis.core.engine.islands.IslandField
 import daphnis.core.engine.islands.IslandWorkers
 import daphnis.core.initial.SeededRandom
 import daphnis.core.step.CollisionStep
+import daphnis.core.surface.ConstantRestitution
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse

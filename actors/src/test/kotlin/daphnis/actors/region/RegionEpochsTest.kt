@@ -6,12 +6,12 @@ import daphnis.actors.pekko.PekkoEngine
 import daphnis.core.Simulation
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.Periodic
-import daphnis.core.collision.ConstantRestitution
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.SerialEngine
 import daphnis.core.population.stateDigest
 import daphnis.core.randomSpheres
 import daphnis.core.simulationOf
+import daphnis.core.surface.ConstantRestitution
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertThrows

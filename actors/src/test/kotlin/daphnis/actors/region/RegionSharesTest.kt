@@ -9,13 +9,13 @@ import daphnis.core.boundary.Box
 import daphnis.core.boundary.Periodic
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.collision.CollisionLaw
-import daphnis.core.collision.Restitution
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.population.Population
 import daphnis.core.population.stateDigest
 import daphnis.core.randomSpheres
 import daphnis.core.step.CollisionStep
+import daphnis.core.surface.Restitution
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.async
 import kotlinx.coroutines.awaitAll

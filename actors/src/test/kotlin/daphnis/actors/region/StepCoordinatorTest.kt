@@ -5,12 +5,12 @@ import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Open
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.collision.CollisionLaw
-import daphnis.core.collision.ConstantRestitution
 import daphnis.core.engine.SerialEngine
 import daphnis.core.initial.SeededRandom
 import daphnis.core.population.Population
 import daphnis.core.population.stateDigest
 import daphnis.core.step.CollisionStep
+import daphnis.core.surface.ConstantRestitution
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue

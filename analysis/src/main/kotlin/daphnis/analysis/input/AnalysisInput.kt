@@ -140,7 +140,7 @@ public class AnalysisInput internal constructor(
             val scenario = read.atHome(run.path)
             val steps = steps(run)
             val around = Surroundings.of(scenario, run.scenario.toString())
-            val dt = (around.timeStep as? TimeStepSpec.Fixed)?.dt
+            val dt = around.timeStep.dt
             val clock = scenario.clock(around.timeStep)
             val times = DoubleArray(steps.size) { k ->
                 if (dt != null) clock.time(steps[k], dt) else run.readSnapshot(steps[k]).time

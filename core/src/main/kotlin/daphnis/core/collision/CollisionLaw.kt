@@ -6,6 +6,7 @@ import daphnis.core.collision.StepRows.Companion.STRIDE
 import daphnis.core.collision.StepRows.Companion.VX
 import daphnis.core.space.Space
 import daphnis.core.surface.ContactLaw
+import daphnis.core.surface.Restitution
 import daphnis.core.surface.RoughContact
 import daphnis.core.surface.Roughness
 import daphnis.core.surface.SurfaceContact

@@ -3,7 +3,6 @@ package daphnis.core.compression
 import daphnis.core.Simulation
 import daphnis.core.TimeStep
 import daphnis.core.boundary.Box
-import daphnis.core.collision.ConstantRestitution
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.engine.horizon.HorizonEngine
 import daphnis.core.initial.GaussianVelocities
@@ -12,6 +11,7 @@ import daphnis.core.initial.Positions
 import daphnis.core.initial.SeededRandom
 import daphnis.core.population.Population
 import daphnis.core.step.CollapseException
+import daphnis.core.surface.ConstantRestitution
 
 /** The [spheres] of a placement as they grow in [box]. */
 internal class GrowingGas private constructor(val spheres: Population, private val box: Box) {

@@ -7,13 +7,13 @@ import daphnis.core.collision.CollisionCounters
 import daphnis.core.collision.CollisionLaw
 import daphnis.core.collision.CollisionRecord
 import daphnis.core.collision.NoGuard
-import daphnis.core.collision.Restitution
 import daphnis.core.population.Population
 import daphnis.core.search.Overlap
 import daphnis.core.search.Reach
 import daphnis.core.search.SearchStructure
 import daphnis.core.step.CollisionStep
 import daphnis.core.surface.ContactLaw
+import daphnis.core.surface.Restitution
 import daphnis.core.surface.Roughness
 import daphnis.core.surface.SurfaceContact
 

@@ -1,6 +1,5 @@
 package daphnis.core.input
 
-import daphnis.core.scenario.gravitationalParameter
 import kotlinx.serialization.SerialName
 import kotlinx.serialization.Serializable
 

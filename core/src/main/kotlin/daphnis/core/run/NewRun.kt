@@ -121,7 +121,7 @@ internal class NewRun(private val directory: RunDirectory, private val force: Bo
      *   could be removed
      */
     fun begin(scenario: ResolvedScenario, start: Snapshot? = null): ResolvedScenario {
-        val original = (scenario.placement as? PlacementSpec.File)?.path
+        val original = scenario.placement.file?.path
         val copy = when {
             start != null -> Copy(directory.initial) { H5md.write(listOf(start), it, Version.text) }
             original != null -> Copy(directory.initial(Path.of(original))) {

@@ -9,6 +9,6 @@ import java.nio.file.Path
 
 /** The scenario with a relative particle file taken from [home]. */
 public fun Scenario.atHome(home: Path): Scenario {
-    val placement = placement as? PlacementSpec.File ?: return this
+    val placement = placement.file ?: return this
     return copy(placement = placement.copy(path = "${home.resolve(inputPath(placement.path, name, "placement.path"))}"))
 }

@@ -46,7 +46,7 @@ public class RunOrigin(public val run: RecordedRun, public val state: Snapshot) 
 
     /** The clock of the other run after its steps to the state; null when its steps have no fixed length. */
     private fun clock(): ClockSpec? {
-        val step = around?.timeStep as? TimeStepSpec.Fixed ?: return null
+        val step = around?.timeStep?.takeIf { it.dt != null } ?: return null
         val clock = scenario!!.clock(step)
         return ClockSpec(clock.start, clock.steps + state.step)
     }
@@ -54,7 +54,7 @@ public class RunOrigin(public val run: RecordedRun, public val state: Snapshot) 
     /** What a user should know about a start of [scenario] from the state, one line each. */
     internal fun notices(scenario: Scenario): List<String> = listOfNotNull(
         "$name: the times since the last collisions are not part of a state; guard.duration counts from the start"
-            .takeIf { scenario.guard is GuardSpec.ContactDuration },
+            .takeIf { scenario.guard?.remembers == true },
     ) + elsewhere(scenario)
 
     /** Pistons that [scenario] would have elsewhere, or with another speed, than the scenario of the other run. */

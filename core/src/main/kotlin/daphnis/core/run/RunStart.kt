@@ -228,8 +228,7 @@ internal fun checkLater(
 }
 
 /** A whole number of fixed steps can fall short of the end by round-off; this amount does not require another step. */
-internal fun endSlack(timeStep: TimeStepSpec): Double =
-    (timeStep as? TimeStepSpec.Fixed)?.let { it.dt * END_SLACK } ?: 0.0
+internal fun endSlack(timeStep: TimeStepSpec): Double = timeStep.dt?.let { it * END_SLACK } ?: 0.0
 
 /** The same for a [TimeStep]. */
 internal fun endSlack(step: TimeStep): Double = if (step is FixedTimeStep) step.duration * END_SLACK else 0.0

@@ -34,22 +34,15 @@ public fun differences(directory: RunDirectory, scenario: Scenario, source: Stri
 /** [scenario] as a run directory holds it, with what is decided only with the initial state as in [found]. */
 private fun asResolved(scenario: Scenario, found: Scenario, directory: RunDirectory, source: String): Scenario {
     val around = Surroundings.of(scenario, source)
-    val isGuardOpen = scenario.guard == null || (scenario.guard as? GuardSpec.FloorSpeed)?.relative != null
+    val isGuardOpen = scenario.guard == null || scenario.guard.isOpen
     return scenario.copy(
         guard = if (isGuardOpen) found.guard else scenario.guard,
-        timeStep = timeStep(around.timeStep, found.timeStep),
+        timeStep = around.timeStep.settledAs(found.timeStep),
         firstBody = scenario.firstBody ?: found.firstBody,
         output = OutputTimesCheck(scenario, around, ValueCheck(source)).settled(),
-        placement = (scenario.placement as? PlacementSpec.File)?.let { it.copy(path = copyOf(it, directory).name) }
+        placement = scenario.placement.file?.let { it.copy(path = copyOf(it, directory).name) }
             ?: scenario.placement,
     )
-}
-
-private fun timeStep(wanted: TimeStepSpec, found: TimeStepSpec): TimeStepSpec = when {
-    wanted is TimeStepSpec.CellCrossing && wanted.cell == null && found is TimeStepSpec.CellCrossing ->
-        TimeStepSpec.CellCrossing(wanted.fraction, found.cell, wanted.longest)
-    wanted is TimeStepSpec.Automatic && wanted.path == null && found is TimeStepSpec.Automatic -> found
-    else -> wanted
 }
 
 private fun copyOf(placement: PlacementSpec.File, directory: RunDirectory): Path =
@@ -57,8 +50,8 @@ private fun copyOf(placement: PlacementSpec.File, directory: RunDirectory): Path
 
 /** A particle file under the same name may hold other spheres; one that is gone cannot be compared. */
 private fun otherFile(scenario: Scenario, found: Scenario, directory: RunDirectory): String? {
-    val placement = scenario.placement as? PlacementSpec.File ?: return null
-    if (found.placement !is PlacementSpec.File) return null
+    val placement = scenario.placement.file ?: return null
+    if (found.placement.file == null) return null
     val original = Path.of(placement.path)
     val copy = copyOf(placement, directory)
     val isOther = try {

@@ -49,7 +49,7 @@ internal class ScenarioChanges private constructor(
                 val problem = "cannot be compared with ${e.message}"
                 return ScenarioChanges(now.output, now.output).apply { harmless += problem }
             }
-            val isStepFree = now.timeStep is TimeStepSpec.Automatic
+            val isStepFree = now.timeStep.isChosen
             return ScenarioChanges(before.output, now.output, isStepFree).apply { compare("", tree(before), tree(now)) }
         }
 

@@ -90,9 +90,9 @@ public class ScenarioRunBuilder internal constructor(private val scenario: Scena
         until?.let { return scenario.copy(until = it) }
         val steps = steps ?: return scenario
         if (steps < 1) throw InputException("steps", null, "is $steps; it must be at least 1", isArgument = true)
-        val step = FrameSetup.times(scenario.copy(until = 1.0), source).timeStep as? TimeStepSpec.Fixed
+        val step = FrameSetup.times(scenario.copy(until = 1.0), source).timeStep.dt
             ?: throw InputException("steps", null, "needs a fixed time step; give an end", isArgument = true)
-        return scenario.copy(until = (from?.state?.time ?: scenario.startTime) + steps * step.dt)
+        return scenario.copy(until = (from?.state?.time ?: scenario.startTime) + steps * step)
     }
 }
 

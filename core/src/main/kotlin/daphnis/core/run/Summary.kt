@@ -110,7 +110,7 @@ public class Summary @JvmOverloads constructor(
                 momentum = List(3) { sums.momentum(it) },
                 version = Version.text,
                 jvm = "${System.getProperty("java.vm.name")} ${System.getProperty("java.runtime.version")}",
-                from = (plan.scenario?.placement as? PlacementSpec.File)?.origin,
+                from = plan.scenario?.placement?.file?.origin,
             )
         }
     }

@@ -2,8 +2,11 @@ package daphnis.core.scenario
 
 import daphnis.core.input.ValueCheck
 import daphnis.core.surface.ContactLaw
+import daphnis.core.surface.LawPlace
 import daphnis.core.surface.MaterialLaws
 import daphnis.core.surface.MaterialRoughness
+import daphnis.core.surface.MeasuredSphere
+import daphnis.core.surface.RestitutionSpec
 import daphnis.core.surface.Roughness
 
 /** The laws of impacts in a [scenario], by pair of materials where it says so. */
@@ -19,7 +22,10 @@ internal class ContactLaws(
     val roughness: Roughness?
 
     init {
-        val all = scenario.restitution.law(scenario, check)
+        val particles = scenario.particles
+        val all = law("restitution", scenario.restitution, isOfPair = false) {
+            particles?.takeIf { it.materials == null }?.sizes?.radius?.let { MeasuredSphere(it) }
+        }
         val surface = scenario.roughness?.law("roughness", check)
         var laws = MaterialLaws(all)
         var surfaces = MaterialRoughness(surface)
@@ -29,7 +35,7 @@ internal class ContactLaws(
             val key = "contacts[$k]"
             contact.restitution?.let {
                 val its = "$key.restitution"
-                laws = laws.between(first, second, measured(it, contact, its).law(scenario, check, its))
+                laws = laws.between(first, second, law(its, it, isOfPair = true) { measured(contact, its) })
             }
             contact.roughness?.let { spec ->
                 val law = spec.law("$key.roughness", check)
@@ -45,14 +51,28 @@ internal class ContactLaws(
         }
     }
 
+    private fun law(
+        key: String,
+        spec: RestitutionSpec,
+        isOfPair: Boolean,
+        measured: () -> MeasuredSphere?,
+    ): ContactLaw {
+        val particles = scenario.particles?.takeIf { it.materials == null }
+        fun mass(radius: Double) = particles?.mass ?: particles?.let { drawn(it.density, radius) }
+        return spec.law(LawPlace(key, scenario.units.speedInCmPerSecond, check, isOfPair, ::mass, measured))
+    }
+
+    /** The mass of a sphere of [radius] and [density]. */
+    private fun drawn(density: Double, radius: Double): Double {
+        val space = scenario.space
+        return density * space.volume(1.0) * radius * radius * if (space.isPlane) 1.0 else radius
+    }
+
     /**
-     * The law [spec] that stands at [key], with the spheres that its coefficient is of: where it names none, the two of
-     * [contact]. A viscoelastic law knows two spheres by their effective radius and mass alone, and two equal spheres
-     * with twice these have the same.
+     * The sphere that stands for the two of [contact], of a law at [key] that names none. A law that depends on sizes
+     * knows two spheres by their effective radius and mass alone, and two equal spheres with twice these have the same.
      */
-    private fun measured(spec: RestitutionSpec, contact: ContactSpec, key: String): RestitutionSpec {
-        if (spec !is RestitutionSpec.Viscoelastic || spec.radius != null) return spec
-        check.must("$key.radius", spec.mass == null) { "is missing; give both radius and mass, or none of the two" }
+    private fun measured(contact: ContactSpec, key: String): MeasuredSphere {
         val (first, second) = contact.between.map { name ->
             onlySphere(name) ?: check.fail(
                 "$key.radius",
@@ -60,12 +80,7 @@ internal class ContactLaws(
                     "one radius and one mass",
             )
         }
-        return RestitutionSpec.Viscoelastic(
-            spec.coefficient,
-            spec.speed,
-            2 * reduced(first.radius, second.radius),
-            2 * reduced(first.mass, second.mass),
-        )
+        return MeasuredSphere(2 * reduced(first.radius, second.radius), 2 * reduced(first.mass, second.mass))
     }
 
     private class One(val radius: Double, val mass: Double)
@@ -78,17 +93,10 @@ internal class ContactLaws(
         val kind = particles.materials?.find { it.name == name }
         val isOthers = particles.materials == null && name == MaterialSpec.PARTICLES
         val sizes = if (isOthers) particles.sizes else kind?.sizes
-        if (sizes != null && sizes !is SizesSpec.Equal) return null
-        val radius = (sizes as? SizesSpec.Equal)?.radius
+        val radius = sizes?.radius
+        if (sizes != null && radius == null) return null
         val mass = if (isOthers) particles.mass else kind?.mass
-        val space = scenario.space
-        val density = kind?.density ?: particles.density
-        val drawn = radius?.let {
-            One(
-                it,
-                mass ?: (density * space.volume(1.0) * it * it * if (space.isPlane) 1.0 else it),
-            )
-        }
+        val drawn = radius?.let { One(it, mass ?: drawn(kind?.density ?: particles.density, it)) }
         val bodies = Bodies(scenario.bodies, particles, scenario.space, check)
         val numbers = materials.ofBodies()
         val all = numbers.indices.filter { materials.names[numbers[it]] == name }

@@ -46,7 +46,7 @@ internal class FirstKick(
 
     private fun key(k: Int): String = when {
         k < scenario.forces.size -> "forces[$k]"
-        ((scenario.frame as? FrameSpec.Hill)?.verticalFactor ?: 0.0) > 1 -> "frame.verticalFactor"
+        (scenario.frame?.verticalFactor ?: 0.0) > 1 -> "frame.verticalFactor"
         else -> "frame"
     }
 }

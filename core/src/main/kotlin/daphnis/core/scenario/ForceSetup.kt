@@ -72,7 +72,7 @@ internal class ForceSetup(
     }
 
     private fun place(k: Int): ForcePlace {
-        val planet = (scenario.frame as? FrameSpec.Hill)?.gravitationalParameter(scenario.units)
+        val planet = scenario.frame?.gravitationalParameter(scenario.units)
         val distance = orbits?.let { FrameSetup.distance(scenario, it) }
         val bodies = scenario.bodies.size
         return ForcePlace(

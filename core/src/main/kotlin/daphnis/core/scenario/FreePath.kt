@@ -21,7 +21,7 @@ internal object FreePath {
      * @param boundary made from [Scenario.boundary]
      */
     fun check(scenario: Scenario, boundary: BoundaryConditions, check: ValueCheck) {
-        if (scenario.timeStep !is TimeStepSpec.Automatic) return
+        if (!scenario.timeStep.isChosen) return
         val orbit = "{\"type\": \"orbit-fraction\", \"steps\": 200}"
         val fixed = "{\"type\": \"fixed\", \"dt\": 0.01}"
         fun need(what: String, step: String): Nothing =

@@ -69,7 +69,7 @@ internal class GrowthSetup(private val scenario: Scenario, private val check: Va
         need(scenario.frame == null, "a frame that does not turn, and so no frame")
         need(scenario.forces.isEmpty(), "spheres on which no force acts")
         val laws = scenario.contacts.mapNotNull { it.restitution } + scenario.restitution
-        val isElastic = laws.all { it is RestitutionSpec.Constant && it.coefficient == 1.0 }
+        val isElastic = laws.all { it.constant == 1.0 }
         need(isElastic, "elastic collisions, restitution constant with the coefficient 1")
         val isSmooth = scenario.roughness == null && scenario.contacts.all { it.roughness == null }
         need(isSmooth, "smooth spheres, without roughness")

@@ -7,7 +7,6 @@ import daphnis.core.initial.SeededRandom
 import daphnis.core.input.ValueCheck
 import daphnis.core.population.Population
 import kotlin.math.abs
-import kotlin.math.sqrt
 
 /** Whether spheres spin and with what moment of inertia, and the spins with which they start. */
 internal class InitialSpins(
@@ -56,7 +55,7 @@ internal class InitialSpins(
         val into = DoubleArray(AXES)
         val field = GaussianVelocities(1.0)
         for (k in 0 until population.size - bodies) {
-            val sigma = if (spec is SpinsSpec.Gaussian) deviation(spec, population, k) else 0.0
+            val sigma = spec.deviation(momentFactor, population.mass[k], population.radius[k], check)
             if (sigma > 0) field.draw(random, into)
             for (axis in first until AXES) w[axis][k] = spec.mean[axis] + sigma * into[axis]
         }
@@ -69,19 +68,6 @@ internal class InitialSpins(
             }
         }
         return population.withSpin(w[0], w[1], w[2])
-    }
-
-    private fun deviation(spec: SpinsSpec.Gaussian, p: Population, k: Int): Double {
-        check.must("spins", (spec.sigma == null) != (spec.temperature == null)) {
-            "needs exactly one of sigma and temperature"
-        }
-        spec.sigma?.let { sigma ->
-            check.that("spins.sigma", sigma, sigma >= 0) { "must be at least 0" }
-            return sigma
-        }
-        val temperature = spec.temperature ?: 0.0
-        check.that("spins.temperature", temperature, temperature >= 0) { "must be at least 0" }
-        return sqrt(temperature / (momentFactor * p.mass[k])) / p.radius[k]
     }
 
     private companion object {

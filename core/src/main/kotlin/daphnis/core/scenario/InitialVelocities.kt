@@ -1,10 +1,8 @@
 package daphnis.core.scenario
 
 import daphnis.core.boundary.BoundaryConditions
-import daphnis.core.initial.GaussianVelocities
 import daphnis.core.initial.Positions
 import daphnis.core.initial.SeededRandom
-import daphnis.core.initial.UniformVelocities
 import daphnis.core.input.ValueCheck
 import daphnis.core.population.Population
 import daphnis.core.population.granularTemperature
@@ -21,17 +19,9 @@ internal class InitialVelocities(
         val spec =
             scenario.velocities ?: check.fail("velocities", "is missing; it is needed unless the placement is a file")
         val v = Array(3) { DoubleArray(masses.size) }
-        when (spec) {
-            is VelocitiesSpec.Rest -> Unit
-            is VelocitiesSpec.Uniform -> {
-                check.that("velocities.halfWidth", spec.halfWidth, spec.halfWidth >= 0) { "must be at least 0" }
-                val field = UniformVelocities(spec.halfWidth)
-                fill(v) { _, into -> field.draw(random, into) }
-            }
-            is VelocitiesSpec.Gaussian -> gaussian(spec, masses, random, v)
-        }
+        spec.field(check)?.let { field -> fill(v) { k, into -> field(masses[k], random, into) } }
         if (spec.zeroMomentum && masses.size >= 2) for (component in v) subtractMean(component, masses)
-        if (spec is VelocitiesSpec.Gaussian && spec.exact) makeExact(spec, masses, positions, v)
+        spec.exactly(masses)?.let { makeExact(it, spec.zeroMomentum, masses, positions, v) }
         if (spec.shearProfile) addMeanFlow(v, positions)
         check.must(
             "velocities",
@@ -40,25 +30,6 @@ internal class InitialVelocities(
             },
         ) { "give speeds beyond what a double holds" }
         return v
-    }
-
-    private fun gaussian(
-        spec: VelocitiesSpec.Gaussian,
-        masses: DoubleArray,
-        random: SeededRandom,
-        v: Array<DoubleArray>,
-    ) {
-        check.must("velocities", (spec.sigma == null) != (spec.temperature == null)) {
-            "needs exactly one of sigma and temperature"
-        }
-        spec.sigma?.let { check.that("velocities.sigma", it, it >= 0) { "must be at least 0" } }
-        spec.temperature?.let { check.that("velocities.temperature", it, it >= 0) { "must be at least 0" } }
-        val field = GaussianVelocities(1.0)
-        fill(v) { k, into ->
-            field.draw(random, into)
-            val sigma = spec.sigma ?: sqrt((spec.temperature ?: 0.0) / masses[k])
-            for (axis in 0..2) into[axis] *= sigma
-        }
     }
 
     private inline fun fill(v: Array<DoubleArray>, draw: (Int, DoubleArray) -> Unit) {
@@ -91,17 +62,17 @@ internal class InitialVelocities(
      * the degrees of freedom which that takes.
      */
     private fun makeExact(
-        spec: VelocitiesSpec.Gaussian,
+        wanted: Double,
+        isAtRest: Boolean,
         masses: DoubleArray,
         positions: Positions,
         v: Array<DoubleArray>,
     ) {
-        val wanted = spec.sigma?.let { it * it } ?: ((spec.temperature ?: 0.0) * masses.size / masses.sum())
         if (wanted == 0.0) return
         check.that("velocities.exact", true, masses.size >= 2) {
             "needs at least two particles; a single particle has no velocity relative to the centre of mass"
         }
-        val means = DoubleArray(3) { if (spec.zeroMomentum) 0.0 else mean(v[it], masses) }
+        val means = DoubleArray(3) { if (isAtRest) 0.0 else mean(v[it], masses) }
         val factor = sqrt(wanted / temperature(masses, positions, v))
         for (axis in 0..2) for (k in masses.indices) v[axis][k] = means[axis] + factor * (v[axis][k] - means[axis])
     }

@@ -1,5 +1,6 @@
 package daphnis.core.scenario
 
+import daphnis.core.surface.RestitutionSpec
 import kotlinx.serialization.Serializable
 
 /**

@@ -20,7 +20,7 @@ internal class Materials(
 
     init {
         scenario.particles?.materials?.let { ofParticles(it) }
-        val file = scenario.placement as? PlacementSpec.File
+        val file = scenario.placement.file
         file?.materials?.let { named ->
             check.must("placement.materials", named.isNotEmpty()) { "is empty; name one or leave it out" }
             named.forEachIndexed { k, name -> name("placement.materials[$k]", name, named.take(k)) }

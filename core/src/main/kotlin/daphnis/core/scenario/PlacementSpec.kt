@@ -9,9 +9,37 @@ import kotlinx.serialization.Serializable
 
 @Serializable
 public sealed interface PlacementSpec {
+    /** The file from which spheres are read, with all that is said of it; null where they are made. */
+    public val file: File? get() = null
+
+    /** Whether places are drawn and so take long to find. */
+    public val isDrawn: Boolean get() = false
+
+    /** Whether spheres are put in the order of a crystal. */
+    public val isOrdered: Boolean get() = false
+
+    /** That crystal, where it is named. */
+    public val lattice: LatticeName? get() = null
+
+    /** Share of its sites that stay empty. */
+    public val vacancies: Double get() = 0.0
+
+    /** Reduced pressure to which spheres grow, whose sizes are proportions then; null where they have their sizes. */
+    public val pressure: Double? get() = null
+
+    /** The same with what follows from the [space]. */
+    public fun settled(space: Space): PlacementSpec = this
+
+    /** Finds places for the spheres of [room]. */
+    public fun place(room: SpheresToPlace): PlacedSpheres
+
     @Serializable
     @SerialName("random")
-    public class Random : PlacementSpec
+    public class Random : PlacementSpec {
+        override val isDrawn: Boolean get() = true
+
+        override fun place(room: SpheresToPlace): PlacedSpheres = PlacedSpheres(room.atRandom())
+    }
 
     /**
      * At random, and where that is too dense smaller ones at random, which grow while they collide; see
@@ -24,8 +52,16 @@ public sealed interface PlacementSpec {
     @Serializable
     @SerialName("grown")
     public class Grown @JvmOverloads constructor(
-        @EncodeDefault(EncodeDefault.Mode.NEVER) public val pressure: Double? = null,
-    ) : PlacementSpec
+        @EncodeDefault(EncodeDefault.Mode.NEVER) override val pressure: Double? = null,
+    ) : PlacementSpec {
+        override val isDrawn: Boolean get() = true
+
+        override fun place(room: SpheresToPlace): PlacedSpheres {
+            room.refuseObstacles()
+            val pressure = pressure ?: return PlacedSpheres(room.grown())
+            return room.grownTo(pressure)
+        }
+    }
 
     /**
      * @property lattice `fcc`, `hcp`, `bcc` or `cubic`, of discs `hexagonal` or `square`; null for the first of them
@@ -35,11 +71,21 @@ public sealed interface PlacementSpec {
     @Serializable
     @SerialName("lattice")
     public class Lattice @JvmOverloads constructor(
-        @EncodeDefault(EncodeDefault.Mode.NEVER) public val lattice: LatticeName? = null,
-        @EncodeDefault(EncodeDefault.Mode.NEVER) public val vacancies: Double = 0.0,
+        @EncodeDefault(EncodeDefault.Mode.NEVER) override val lattice: LatticeName? = null,
+        @EncodeDefault(EncodeDefault.Mode.NEVER) override val vacancies: Double = 0.0,
     ) : PlacementSpec {
-        /** The same with its lattice, the densest in [space] where none is given. */
-        internal fun settled(space: Space): Lattice =
+        override val isOrdered: Boolean get() = true
+
+        override fun place(room: SpheresToPlace): PlacedSpheres {
+            room.refuseObstacles()
+            room.check.that("placement.vacancies", vacancies, vacancies >= 0 && vacancies < 1) {
+                "must be a share of the sites, at least 0 and less than 1"
+            }
+            return PlacedSpheres(room.onLattice((lattice ?: densestLattice(room.space)).lattice, vacancies))
+        }
+
+        /** With its lattice, the densest where none is given. */
+        override fun settled(space: Space): Lattice =
             if (lattice != null) this else Lattice(densestLattice(space), vacancies)
     }
 
@@ -71,6 +117,10 @@ public sealed interface PlacementSpec {
         public val overlaps: OverlapsName = OverlapsName.REFUSE,
         public val materials: List<String>? = null,
     ) : PlacementSpec {
+        override val file: File get() = this
+
+        override fun place(room: SpheresToPlace): PlacedSpheres = error("spheres of a file are read")
+
         /** Where a state of another [run] is from, in words; null when it is from a file that a user named. */
         public val origin: String? get() = run?.let { "step ${step ?: 0} of $it, time ${time ?: 0.0}" }
     }

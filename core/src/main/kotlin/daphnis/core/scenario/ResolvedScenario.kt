@@ -40,7 +40,7 @@ public class ResolvedScenario internal constructor(
 
     /** The same scenario, but placed from the file [path]. */
     internal fun placedFrom(path: String): ResolvedScenario {
-        val placement = (placement as PlacementSpec.File).copy(path = path)
+        val placement = placement.file!!.copy(path = path)
         return ResolvedScenario(written.copy(placement = placement), end, guard, timeStep, firstBody, output)
     }
 }

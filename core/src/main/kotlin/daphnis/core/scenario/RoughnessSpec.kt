@@ -7,6 +7,8 @@ import daphnis.core.surface.Roughness
 import kotlinx.serialization.SerialName
 import kotlinx.serialization.Serializable
 import java.util.function.DoubleFunction
+import kotlin.math.abs
+import kotlin.math.sqrt
 
 /**
  * Surfaces of spheres, or of a wall.
@@ -17,6 +19,15 @@ import java.util.function.DoubleFunction
 public sealed interface RoughnessSpec {
     public val momentFactor: Double?
 
+    /** Whether it is no roughness at all. */
+    public val isSmooth: Boolean get() = false
+
+    /** Whether surfaces lose energy at every speed: a guard does not end that. */
+    public val loses: Boolean get() = !isSmooth
+
+    /** The law of what stands at [key]; null for a smooth surface. */
+    public fun law(key: String, check: ValueCheck): Roughness?
+
     /** A description for a reader: [number] writes numbers. */
     public fun inWords(number: DoubleFunction<String>): String
 
@@ -24,6 +35,10 @@ public sealed interface RoughnessSpec {
     @Serializable
     @SerialName("smooth")
     public class Smooth @JvmOverloads constructor(override val momentFactor: Double? = null) : RoughnessSpec {
+        override val isSmooth: Boolean get() = true
+
+        override fun law(key: String, check: ValueCheck): Roughness? = null
+
         override fun inWords(number: DoubleFunction<String>): String = "smooth"
     }
 
@@ -34,6 +49,13 @@ public sealed interface RoughnessSpec {
         public val coefficient: Double,
         override val momentFactor: Double? = null,
     ) : RoughnessSpec {
+        override val loses: Boolean get() = abs(coefficient) < 1
+
+        override fun law(key: String, check: ValueCheck): Roughness {
+            check.that("$key.coefficient", coefficient, coefficient in -1.0..1.0) { "must be in [-1, 1]" }
+            return ConstantRoughness(coefficient)
+        }
+
         override fun inWords(number: DoubleFunction<String>): String =
             "constant, β = ${number.apply(coefficient)} (-1 smooth, 1 perfectly rough)"
     }
@@ -49,22 +71,16 @@ public sealed interface RoughnessSpec {
         public val sticking: Double,
         override val momentFactor: Double? = null,
     ) : RoughnessSpec {
+        override val loses: Boolean get() = friction > 0 && sticking > -1
+
+        override fun law(key: String, check: ValueCheck): Roughness {
+            check.that("$key.friction", friction, friction >= 0 && friction.isFinite()) { "must be at least 0" }
+            check.that("$key.sticking", sticking, sticking in -1.0..1.0) { "must be in [-1, 1]" }
+            return CoulombRoughness(friction, sticking)
+        }
+
         override fun inWords(number: DoubleFunction<String>): String =
             "sticking ${number.apply(sticking)} unless friction ${number.apply(friction)} is too weak for that"
-    }
-}
-
-/** The law of what stands at [key]; null for a smooth surface. */
-internal fun RoughnessSpec.law(key: String, check: ValueCheck): Roughness? = when (this) {
-    is RoughnessSpec.Smooth -> null
-    is RoughnessSpec.Constant -> {
-        check.that("$key.coefficient", coefficient, coefficient in -1.0..1.0) { "must be in [-1, 1]" }
-        ConstantRoughness(coefficient)
-    }
-    is RoughnessSpec.Coulomb -> {
-        check.that("$key.friction", friction, friction >= 0 && friction.isFinite()) { "must be at least 0" }
-        check.that("$key.sticking", sticking, sticking in -1.0..1.0) { "must be in [-1, 1]" }
-        CoulombRoughness(friction, sticking)
     }
 }
 
@@ -121,6 +137,12 @@ public class WallRoughnessSpec @JvmOverloads constructor(
 public sealed interface SpinsSpec {
     public val mean: List<Double>
 
+    /**
+     * Standard deviation of a component, of a sphere of [mass] and [radius] with the moment of inertia [momentFactor] ·
+     * mass · radius², with its values checked.
+     */
+    public fun deviation(momentFactor: Double, mass: Double, radius: Double, check: ValueCheck): Double = 0.0
+
     /** All spheres spin alike. */
     @Serializable
     @SerialName("rest")
@@ -136,5 +158,18 @@ public sealed interface SpinsSpec {
         public val sigma: Double? = null,
         public val temperature: Double? = null,
         override val mean: List<Double> = listOf(0.0, 0.0, 0.0),
-    ) : SpinsSpec
+    ) : SpinsSpec {
+        override fun deviation(momentFactor: Double, mass: Double, radius: Double, check: ValueCheck): Double {
+            check.must("spins", (sigma == null) != (temperature == null)) {
+                "needs exactly one of sigma and temperature"
+            }
+            if (sigma != null) {
+                check.atLeast0("spins.sigma", sigma)
+                return sigma
+            }
+            val temperature = temperature ?: 0.0
+            check.atLeast0("spins.temperature", temperature)
+            return sqrt(temperature / (momentFactor * mass)) / radius
+        }
+    }
 }

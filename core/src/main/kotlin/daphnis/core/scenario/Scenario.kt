@@ -8,6 +8,7 @@ import daphnis.core.input.UnitsSpec
 import daphnis.core.parallel.ThreadHandler
 import daphnis.core.search.SearchStructure
 import daphnis.core.space.Space
+import daphnis.core.surface.RestitutionSpec
 import kotlinx.serialization.EncodeDefault
 import kotlinx.serialization.ExperimentalSerializationApi
 import kotlinx.serialization.SerialName
@@ -64,30 +65,6 @@ public data class Scenario @JvmOverloads constructor(
         if (bodies.isEmpty()) Int.MAX_VALUE else firstBody ?: (spheres - bodies.size)
 }
 
-@Serializable
-public sealed interface FrameSpec {
-    /**
-     * Hill's frame: exactly one of [angularSpeed], in radians per unit of time, and [distanceInKm] from the centre of
-     * [planet].
-     *
-     * @property verticalFactor ν/Ω; when left out, 1 or what [oblateness] makes it
-     * @property radialFactor κ/Ω; when left out, 1 or what [oblateness] makes it
-     * @property gravitationalParameter GM in km³/s² in place of that of [planet]
-     * @property oblateness of the planet, with [distanceInKm]; a point mass when left out
-     */
-    @Serializable
-    @SerialName("hill")
-    public class Hill @JvmOverloads constructor(
-        public val angularSpeed: Double? = null,
-        public val distanceInKm: Double? = null,
-        public val planet: Planet = Planet.SATURN,
-        public val verticalFactor: Double? = null,
-        public val radialFactor: Double? = null,
-        public val gravitationalParameter: Double? = null,
-        public val oblateness: OblatenessSpec? = null,
-    ) : FrameSpec
-}
-
 /** @property lengths edges along x, y and, of three dimensions, z; the box is centred on the origin */
 @Serializable
 public class BoxSpec(public val lengths: List<Double>)
@@ -125,87 +102,6 @@ public class BodySpec @JvmOverloads constructor(
     public val velocity: List<Double>? = null,
     public val material: String? = null,
 )
-
-@Serializable
-public sealed interface SizesSpec {
-    @Serializable
-    @SerialName("equal")
-    public class Equal(public val radius: Double) : SizesSpec
-
-    @Serializable
-    @SerialName("power-law")
-    public class PowerLaw(public val minimum: Double, public val maximum: Double, public val exponent: Double) :
-        SizesSpec
-
-    @Serializable
-    @SerialName("log-normal")
-    public class LogNormal(
-        public val median: Double,
-        public val sigma: Double,
-        public val minimum: Double,
-        public val maximum: Double,
-    ) : SizesSpec
-
-    @Serializable
-    @SerialName("list")
-    public class Listed(public val radii: List<Double>) : SizesSpec
-}
-
-@Serializable
-public sealed interface GuardSpec {
-    @Serializable
-    @SerialName("none")
-    public class None : GuardSpec
-
-    /**
-     * ε = 1 below an impact speed: exactly one of [speed], in units of speed, and [relative], in initial rms speeds.
-     */
-    @Serializable
-    @SerialName("floor-speed")
-    public class FloorSpeed @JvmOverloads constructor(
-        public val speed: Double? = null,
-        public val relative: Double? = null,
-    ) : GuardSpec
-
-    /** The TC rule: ε = 1 within [duration], in units of time, of a sphere's last collision. */
-    @Serializable
-    @SerialName("contact-duration")
-    public class ContactDuration(public val duration: Double) : GuardSpec
-}
-
-@Serializable
-public sealed interface TimeStepSpec {
-    /**
-     * Chosen from the state, where no force acts; see [FreePath]. Intervals of outputs and the end are hit exactly.
-     *
-     * @property path how far the fastest sphere moves in a step at most, a length; null for one that follows from
-     *   the initial state
-     */
-    @Serializable
-    @SerialName("automatic")
-    public class Automatic @JvmOverloads constructor(public val path: Double? = null) : TimeStepSpec
-
-    @Serializable
-    @SerialName("fixed")
-    public class Fixed(public val dt: Double) : TimeStepSpec
-
-    /** [steps] equal steps per orbit of the frame. */
-    @Serializable
-    @SerialName("orbit-fraction")
-    public class OrbitFraction(public val steps: Double) : TimeStepSpec
-
-    /**
-     * The fastest sphere crosses at most [fraction] of [cell] (default: mean distance between spheres); never longer
-     * than [longest].
-     */
-    @Serializable
-    @SerialName("cell-crossing")
-    public class CellCrossing @JvmOverloads constructor(
-        public val fraction: Double = 0.5,
-        public val cell: Double? = null,
-        public val longest: Double,
-    ) : TimeStepSpec
-}
 
 @Serializable
 public class EngineSpec @JvmOverloads constructor(public val name: String = "horizon", public val threads: Int = 0) {

@@ -5,6 +5,7 @@ import daphnis.core.force.ForceSpec
 import daphnis.core.input.UnitsSpec
 import daphnis.core.search.SearchStructure
 import daphnis.core.space.Space
+import daphnis.core.surface.RestitutionSpec
 
 /** What a scenario as its author wrote it ([Scenario]) and as a run has it ([ResolvedScenario]) have in common. */
 public interface ScenarioParts {
@@ -49,7 +50,7 @@ public interface ScenarioParts {
     /** The unit of speed in cm/s; null where neither units nor laws of restitution, which are in cm/s, say what it is. */
     public val cmPerSecond: Double? get() = units.speedInCmPerSecond.takeIf {
         val laws = contacts.map { contact -> contact.restitution } + restitution
-        units.lengthInMetres != null || it != 1.0 || laws.any { law -> law != null && law !is RestitutionSpec.Constant }
+        units.lengthInMetres != null || it != 1.0 || laws.any { law -> law != null && law.constant == null }
     }
 
     /**
@@ -58,7 +59,7 @@ public interface ScenarioParts {
      * nothing is named.
      */
     public val materials: List<String> get() {
-        (placement as? PlacementSpec.File)?.let { return it.materials.orEmpty() }
+        placement.file?.let { return it.materials.orEmpty() }
         val named = particles?.materials?.map { it.name }
         val ofBodies = bodies.mapNotNull { it.material }
         if (named == null && ofBodies.isEmpty()) return emptyList()
@@ -89,8 +90,7 @@ public interface ScenarioParts {
         val isAtRest = boundary is BoundarySpec.Periodic && frame == null && growth == null
         if (!isAtRest || forces.isNotEmpty() || bodies.isNotEmpty()) return null
         val coefficients = impacts.map { impact ->
-            val isSmooth = impact.roughness == null || impact.roughness is RoughnessSpec.Smooth
-            (impact.restitution as? RestitutionSpec.Constant)?.coefficient?.takeIf { isSmooth }
+            impact.restitution!!.constant?.takeIf { impact.roughness?.isSmooth != false }
         }
         return coefficients.distinct().singleOrNull()
     }
@@ -104,15 +104,15 @@ public interface ScenarioParts {
         get() = forces.firstOrNull { it.isAmongAll }?.let { it.constant ?: units.gravitationalConstant }
 
     /** Time at which the run starts: that of the state from which it is placed, otherwise 0. */
-    public val startTime: Double get() = (placement as? PlacementSpec.File)?.time ?: 0.0
+    public val startTime: Double get() = placement.file?.time ?: 0.0
 
     /**
      * The clock of a run with [timeStep]: that of the run from which it starts, if its steps lead to [startTime] to the
      * bit, and otherwise one that begins there.
      */
     public fun clock(timeStep: TimeStepSpec): Clock {
-        val kept = (placement as? PlacementSpec.File)?.clock?.let { Clock(it.start, it.steps) }
-        val isKept = kept != null && timeStep is TimeStepSpec.Fixed && kept.time(0, timeStep.dt) == startTime
-        return if (isKept) kept else Clock(startTime)
+        val kept = placement.file?.clock?.let { Clock(it.start, it.steps) }
+        val isKept = timeStep.dt?.let { kept?.time(0, it) == startTime } == true
+        return if (isKept) kept!! else Clock(startTime)
     }
 }

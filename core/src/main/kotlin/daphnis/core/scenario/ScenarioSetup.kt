@@ -1,19 +1,13 @@
 package daphnis.core.scenario
 
-import daphnis.core.CellCrossingTimeStep
 import daphnis.core.FixedTimeStep
 import daphnis.core.FreePathTimeStep
-import daphnis.core.Interval
 import daphnis.core.StoppingTimeStep
 import daphnis.core.Stops
 import daphnis.core.TimeStep
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.hasPistons
-import daphnis.core.boundary.roomIn
 import daphnis.core.collision.CollapseGuard
-import daphnis.core.collision.ContactDurationGuard
-import daphnis.core.collision.FloorSpeedGuard
-import daphnis.core.collision.NoGuard
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.engine.SerialEngine
@@ -138,8 +132,7 @@ public class ScenarioSetup private constructor(
          */
         @JvmStatic
         public fun check(scenario: Scenario, source: String) {
-            val isDrawn = scenario.placement is PlacementSpec.Random || scenario.placement is PlacementSpec.Grown
-            make(scenario, source, null, null, !isDrawn)
+            make(scenario, source, null, null, isPlaced = !scenario.placement.isDrawn)
         }
 
         /** @param start the state to start from, in place of one from the file of the placement */
@@ -163,18 +156,17 @@ public class ScenarioSetup private constructor(
             val initial = InitialState(scenario, around.box, around.boundary, check, materials, start)
             val population = state ?: initial.population(isPlaced)
             // The ids of bodies in a run of this file do not hold for a new initial state, unless it is of that run.
-            val isMade = state == null && scenario.placement !is PlacementSpec.File
+            val isMade = state == null && scenario.placement.file == null
             val bodies = if (isMade) scenario.copy(firstBody = null) else scenario
             val firstBody = bodies.firstBody(population.size)
             fun forces() = ForceSetup(scenario, around.frequencies, around.boundary, firstBody, check)
             val forceSetup = forces()
             val boundary = forceSetup.boundary
-            val guardSpec = resolve(scenario.guard ?: defaultGuard(scenario), population, check)
-            val timeStepSpec = resolve(around.timeStep, around, population)
-            val placement = (scenario.placement as? PlacementSpec.Lattice)?.settled(boundary.space)
-            val settled = if (placement == null) scenario else scenario.copy(placement = placement)
+            val guardSpec = (scenario.guard ?: defaultGuard(scenario)).settled(rmsSpeed(population), check)
+            val timeStepSpec = around.timeStep.settled(around, population)
+            val settled = scenario.copy(placement = scenario.placement.settled(boundary.space))
             val resolved = ResolvedScenario(settled, around.end, guardSpec, timeStepSpec, firstBody, output)
-            val timeStep = timeStep(resolved, boundary, GrowthSetup(scenario, check).longest(), check)
+            val timeStep = timeStepSpec.timeStep(resolved, boundary, GrowthSetup(scenario, check).longest(), check)
             val first = timeStep.next(population)
             checkSteps(resolved, first, check)
             if (state == null) GrowthSetup(scenario, check).checkStart(population, around.box, first, around.end)
@@ -184,7 +176,7 @@ public class ScenarioSetup private constructor(
                 val likeThem = forces().forces
                 FirstKick(scenario, likeThem, boundary, check).check(population, timeStep.next(population), isPlaced)
             }
-            val guard = guard(guardSpec, check)
+            val guard = guardSpec.guard(check)
             return ScenarioSetup(
                 resolved, population, boundary, laws.restitution, guard, forceSetup.forces, timeStep,
                 around.frequencies, initial.notices, laws.roughness, forceSetup.places,
@@ -209,79 +201,9 @@ public class ScenarioSetup private constructor(
             return if (mayCollapse) GuardSpec.FloorSpeed(relative = DEFAULT_FLOOR) else GuardSpec.None()
         }
 
-        /** A floor speed given in initial rms speeds becomes one in units of speed. */
-        private fun resolve(spec: GuardSpec, population: Population, check: ValueCheck): GuardSpec {
-            if (spec !is GuardSpec.FloorSpeed) return spec
-            check.must("guard", (spec.speed == null) != (spec.relative == null)) {
-                "needs exactly one of speed and relative"
-            }
-            val relative = spec.relative ?: return spec
-            check.that("guard.relative", relative, relative >= 0) { "must be at least 0" }
-            return GuardSpec.FloorSpeed(speed = relative * rmsSpeed(population))
-        }
-
-        private fun guard(spec: GuardSpec, check: ValueCheck): CollapseGuard = when (spec) {
-            is GuardSpec.None -> NoGuard
-            is GuardSpec.ContactDuration -> {
-                check.positive("guard.duration", spec.duration)
-                ContactDurationGuard(spec.duration)
-            }
-            is GuardSpec.FloorSpeed -> {
-                val speed = spec.speed ?: 0.0
-                check.that("guard.speed", speed, speed >= 0 && speed.isFinite()) { "must be at least 0" }
-                FloorSpeedGuard(speed)
-            }
-        }
-
-        /** A cell that was left out becomes the mean distance between spheres, and a path that of [FreePath]. */
-        private fun resolve(spec: TimeStepSpec, around: Surroundings, population: Population): TimeStepSpec = when {
-            spec is TimeStepSpec.CellCrossing && spec.cell == null -> {
-                val cell = around.box.space.edge(around.boundary.roomIn(around.box) / population.size)
-                TimeStepSpec.CellCrossing(spec.fraction, cell, spec.longest)
-            }
-            spec is TimeStepSpec.Automatic && spec.path == null ->
-                TimeStepSpec.Automatic(FreePath.length(population, around.box, around.boundary))
-            else -> spec
-        }
-
-        private fun timeStep(
-            scenario: ResolvedScenario,
-            boundary: BoundaryConditions,
-            most: Double,
-            check: ValueCheck,
-        ): TimeStep = when (val spec = scenario.timeStep) {
-            is TimeStepSpec.Automatic -> {
-                val path = spec.path ?: 0.0
-                check.positive("timeStep.path", path)
-                val stops = Stops(scenario.output.stops().map { Interval(it) }, scenario.end)
-                val longest = minOf(scenario.end - scenario.startTime, FreePath.longest(boundary), most)
-                FreePathTimeStep(path, longest, boundary.meanFlow, stops)
-            }
-            is TimeStepSpec.OrbitFraction -> error("times are written out before")
-            is TimeStepSpec.Fixed -> {
-                check.positive("timeStep.dt", spec.dt)
-                FixedTimeStep(spec.dt)
-            }
-            is TimeStepSpec.CellCrossing -> {
-                check.positive("timeStep.fraction", spec.fraction)
-                check.positive("timeStep.longest", spec.longest)
-                val cell = spec.cell ?: 0.0
-                check.positive("timeStep.cell", cell)
-                CellCrossingTimeStep(spec.fraction, cell, spec.longest)
-            }
-        }
-
         /** Steps are counted, and each must advance the time. */
         private fun checkSteps(scenario: ResolvedScenario, first: Double, check: ValueCheck) {
-            val spec = scenario.timeStep
-            val (key, value) = when (spec) {
-                is TimeStepSpec.Fixed -> "timeStep.dt" to spec.dt
-                is TimeStepSpec.CellCrossing -> "timeStep.longest" to spec.longest
-                is TimeStepSpec.Automatic -> "timeStep.path" to (spec.path ?: 0.0)
-                is TimeStepSpec.OrbitFraction -> return
-            }
-            // Between stops a chosen step is at least half as long as it may be.
-            val longest = if (spec is TimeStepSpec.Automatic) first / 2 else value
+            val (key, value, longest) = scenario.timeStep.longest(first)
             val start = scenario.startTime
             val steps = (scenario.end - start) / longest
             check.that(key, value, steps <= MOST_STEPS) {

@@ -1,9 +1,5 @@
 package daphnis.core.scenario
 
-import daphnis.core.initial.EqualSizes
-import daphnis.core.initial.ListedSizes
-import daphnis.core.initial.LogNormalSizes
-import daphnis.core.initial.PowerLawSizes
 import daphnis.core.initial.SizeDistribution
 import daphnis.core.input.ValueCheck
 import daphnis.core.space.Space
@@ -25,12 +21,7 @@ internal class SphereKind private constructor(
     private val check: ValueCheck,
 ) {
     val sizes: SizeDistribution = try {
-        when (spec) {
-            is SizesSpec.Equal -> EqualSizes(spec.radius)
-            is SizesSpec.PowerLaw -> PowerLawSizes(spec.minimum, spec.maximum, spec.exponent)
-            is SizesSpec.LogNormal -> LogNormalSizes(spec.median, spec.sigma, spec.minimum, spec.maximum)
-            is SizesSpec.Listed -> ListedSizes(spec.radii.toDoubleArray())
-        }
+        spec.distribution()
     } catch (e: IllegalArgumentException) {
         check.fail("$key.sizes", e.message.orEmpty())
     }
@@ -40,12 +31,7 @@ internal class SphereKind private constructor(
     val most: Double
 
     init {
-        val (least, most) = when (spec) {
-            is SizesSpec.Equal -> spec.radius to spec.radius
-            is SizesSpec.PowerLaw -> spec.minimum to spec.maximum
-            is SizesSpec.LogNormal -> spec.minimum to spec.maximum
-            is SizesSpec.Listed -> spec.radii.min() to spec.radii.max()
-        }
+        val (least, most) = spec.range
         for (r in listOf(least, most)) {
             check.must("$key.sizes", r in ValueCheck.LEAST..ValueCheck.MOST) {
                 "a radius is $r; it must be > 0, ${ValueCheck.LEAST} to ${ValueCheck.MOST}"

@@ -75,7 +75,7 @@ internal class StartCheck(
         val overlap = computable("box") {
             Overlap.deepest(population, boundary, scenario.startTime, scenario.engine.threadsAtStart)
         }
-        val isOfFile = scenario.placement is PlacementSpec.File
+        val isOfFile = scenario.placement.file != null
         check.must(if (isOfFile) "placement.path" else "placement", overlap.depth <= TOLERANCE) {
             val wayOut = if (isOfFile && overlap.depth <= OverlapRepair.DEEPEST) "; ${OverlapRepair.WAY_OUT}" else ""
             "particles ${overlap.first} and ${overlap.second} overlap by ${overlap.depth} of the sum of their radii; " +

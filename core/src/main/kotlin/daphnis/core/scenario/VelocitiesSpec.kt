@@ -1,7 +1,12 @@
 package daphnis.core.scenario
 
+import daphnis.core.initial.GaussianVelocities
+import daphnis.core.initial.SeededRandom
+import daphnis.core.initial.UniformVelocities
+import daphnis.core.input.ValueCheck
 import kotlinx.serialization.SerialName
 import kotlinx.serialization.Serializable
+import kotlin.math.sqrt
 
 /**
  * [shearProfile] adds the mean flow v_x = γ y of the boundary; [zeroMomentum] subtracts the velocity of the centre of
@@ -11,6 +16,12 @@ import kotlinx.serialization.Serializable
 public sealed interface VelocitiesSpec {
     public val shearProfile: Boolean
     public val zeroMomentum: Boolean
+
+    /** What draws the velocity of a sphere of a mass, with its values checked; null for none. */
+    public fun field(check: ValueCheck): ((mass: Double, random: SeededRandom, into: DoubleArray) -> Unit)? = null
+
+    /** The granular temperature over the mean of [masses] to which velocities are scaled; null for as they are drawn. */
+    public fun exactly(masses: DoubleArray): Double? = null
 
     @Serializable
     @SerialName("rest")
@@ -26,7 +37,13 @@ public sealed interface VelocitiesSpec {
         public val halfWidth: Double,
         override val shearProfile: Boolean = false,
         override val zeroMomentum: Boolean = true,
-    ) : VelocitiesSpec
+    ) : VelocitiesSpec {
+        override fun field(check: ValueCheck): (Double, SeededRandom, DoubleArray) -> Unit {
+            check.atLeast0("velocities.halfWidth", halfWidth)
+            val field = UniformVelocities(halfWidth)
+            return { _, random, into -> field.draw(random, into) }
+        }
+    }
 
     /**
      * Every component normal, with exactly one of the standard deviation [sigma], the same for all, and the kinetic
@@ -43,5 +60,25 @@ public sealed interface VelocitiesSpec {
         override val zeroMomentum: Boolean = true,
         public val temperature: Double? = null,
         public val exact: Boolean = false,
-    ) : VelocitiesSpec
+    ) : VelocitiesSpec {
+        override fun field(check: ValueCheck): (Double, SeededRandom, DoubleArray) -> Unit {
+            check.must("velocities", (sigma == null) != (temperature == null)) {
+                "needs exactly one of sigma and temperature"
+            }
+            sigma?.let { check.atLeast0("velocities.sigma", it) }
+            temperature?.let { check.atLeast0("velocities.temperature", it) }
+            val field = GaussianVelocities(1.0)
+            return { mass, random, into ->
+                field.draw(random, into)
+                val sigma = sigma ?: sqrt((temperature ?: 0.0) / mass)
+                for (axis in 0..2) into[axis] *= sigma
+            }
+        }
+
+        override fun exactly(masses: DoubleArray): Double? = when {
+            !exact -> null
+            sigma != null -> sigma * sigma
+            else -> (temperature ?: 0.0) * masses.size / masses.sum()
+        }
+    }
 }

@@ -2,7 +2,7 @@ package daphnis.core.surface
 
 /**
  * What an impact of two spheres does: the coefficients of normal and of tangential restitution, ε and β, as functions
- * of both speeds, radii, masses and materials. [daphnis.core.collision.Restitution] is the law of smooth spheres whose
+ * of both speeds, radii, masses and materials. [daphnis.core.surface.Restitution] is the law of smooth spheres whose
  * ε depends on the impact speed alone; [Roughness] is a β beside the ε of another law, see [RoughContact].
  *
  * Must be a pure function that gives the same bits on every machine: use [StrictMath] for `pow`, `exp`, `sin`.

@@ -4,7 +4,6 @@ import daphnis.core.boundary.Box
 import daphnis.core.cluster.bricks.BrickAhead
 import daphnis.core.cluster.bricks.HaloMargins
 import daphnis.core.cluster.bricks.LongBox
-import daphnis.core.collision.ConstantRestitution
 import daphnis.core.engine.Case
 import daphnis.core.engine.Draw
 import daphnis.core.engine.Draws
@@ -17,6 +16,7 @@ import daphnis.core.hill.HillSheet
 import daphnis.core.population.stateDigest
 import daphnis.core.randomSpheres
 import daphnis.core.simulationOf
+import daphnis.core.surface.ConstantRestitution
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test

@@ -8,11 +8,11 @@ import daphnis.core.cluster.bricks.HaloMargins
 import daphnis.core.cluster.bricks.Territory
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.collision.CollisionLaw
-import daphnis.core.collision.ConstantRestitution
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.population.Population
 import daphnis.core.step.CollisionStep
 import daphnis.core.step.PreparedStep
+import daphnis.core.surface.ConstantRestitution
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.Timeout

@@ -13,6 +13,7 @@ import daphnis.core.collision.StepRows.Companion.TIME
 import daphnis.core.initial.SeededRandom
 import daphnis.core.population.MeanFlow
 import daphnis.core.populationOf
+import daphnis.core.surface.ConstantRestitution
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test

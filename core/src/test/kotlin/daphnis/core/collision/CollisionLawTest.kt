@@ -4,6 +4,7 @@ import daphnis.core.Sphere
 import daphnis.core.boundary.Images
 import daphnis.core.boundary.Open
 import daphnis.core.populationOf
+import daphnis.core.surface.ConstantRestitution
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue

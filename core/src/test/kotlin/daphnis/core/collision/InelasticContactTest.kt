@@ -22,6 +22,7 @@ import daphnis.core.population.stateDigest
 import daphnis.core.populationOf
 import daphnis.core.randomSpheres
 import daphnis.core.simulationOf
+import daphnis.core.surface.ConstantRestitution
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test

@@ -12,6 +12,7 @@ import daphnis.core.boundary.Walls
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.population.Population
 import daphnis.core.populationOf
+import daphnis.core.surface.ConstantRestitution
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue

@@ -8,6 +8,9 @@ import daphnis.core.engine.SerialEngine
 import daphnis.core.population.stateDigest
 import daphnis.core.populationOf
 import daphnis.core.simulationOf
+import daphnis.core.surface.BorderiesRestitution
+import daphnis.core.surface.BridgesRestitution
+import daphnis.core.surface.ConstantRestitution
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue

@@ -1,5 +1,7 @@
 package daphnis.core.collision
 
+import daphnis.core.surface.StepRestitution
+import daphnis.core.surface.TableRestitution
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue

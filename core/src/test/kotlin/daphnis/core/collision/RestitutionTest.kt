@@ -1,5 +1,8 @@
 package daphnis.core.collision
 
+import daphnis.core.surface.BorderiesRestitution
+import daphnis.core.surface.BridgesRestitution
+import daphnis.core.surface.ConstantRestitution
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue

@@ -12,6 +12,7 @@ import daphnis.core.engine.CollisionForcing
 import daphnis.core.initial.SeededRandom
 import daphnis.core.population.Population
 import daphnis.core.populationOf
+import daphnis.core.surface.ConstantRestitution
 import daphnis.core.surface.ConstantRoughness
 import daphnis.core.surface.CoulombRoughness
 import daphnis.core.surface.Roughness

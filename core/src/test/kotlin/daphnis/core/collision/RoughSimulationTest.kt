@@ -13,6 +13,7 @@ import daphnis.core.force.Kick
 import daphnis.core.population.Population
 import daphnis.core.populationOf
 import daphnis.core.randomSpheres
+import daphnis.core.surface.ConstantRestitution
 import daphnis.core.surface.ConstantRoughness
 import daphnis.core.surface.Roughness
 import org.junit.jupiter.api.Assertions.assertEquals

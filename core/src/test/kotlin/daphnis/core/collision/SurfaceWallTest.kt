@@ -8,6 +8,7 @@ import daphnis.core.boundary.WallSurface
 import daphnis.core.boundary.Walls
 import daphnis.core.initial.SeededRandom
 import daphnis.core.population.Population
+import daphnis.core.surface.ConstantRestitution
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test

@@ -5,6 +5,7 @@ import daphnis.core.boundary.Images
 import daphnis.core.boundary.Open
 import daphnis.core.populationOf
 import daphnis.core.surface.SurfaceContact
+import daphnis.core.surface.ViscoelasticRestitution
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue

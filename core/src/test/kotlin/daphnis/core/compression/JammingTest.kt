@@ -3,13 +3,13 @@ package daphnis.core.compression
 import daphnis.core.Simulation
 import daphnis.core.TimeStep
 import daphnis.core.boundary.Box
-import daphnis.core.collision.ConstantRestitution
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.engine.horizon.HorizonEngine
 import daphnis.core.initial.SeededRandom
 import daphnis.core.physics.fullPhysics
 import daphnis.core.population.Population
 import daphnis.core.search.Overlap
+import daphnis.core.surface.ConstantRestitution
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test

@@ -8,8 +8,6 @@ import daphnis.core.boundary.Periodic
 import daphnis.core.boundary.Walls
 import daphnis.core.cluster.bricks.BrickDivision
 import daphnis.core.cluster.bricks.BricksTogether
-import daphnis.core.collision.ConstantRestitution
-import daphnis.core.collision.Restitution
 import daphnis.core.engine.horizon.HorizonEngine
 import daphnis.core.engine.horizon.HorizonTuning
 import daphnis.core.engine.islands.IslandsEngine
@@ -20,6 +18,8 @@ import daphnis.core.population.Population
 import daphnis.core.population.stateDigest
 import daphnis.core.populationOf
 import daphnis.core.simulationOf
+import daphnis.core.surface.ConstantRestitution
+import daphnis.core.surface.Restitution
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test

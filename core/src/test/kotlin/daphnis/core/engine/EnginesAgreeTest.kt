@@ -2,13 +2,13 @@ package daphnis.core.engine
 
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.Periodic
-import daphnis.core.collision.ConstantRestitution
 import daphnis.core.engine.islands.IslandsEngine
 import daphnis.core.initial.SeededRandom
 import daphnis.core.parallel.FixedPool
 import daphnis.core.population.Population
 import daphnis.core.population.stateDigest
 import daphnis.core.simulationOf
+import daphnis.core.surface.ConstantRestitution
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Test
 

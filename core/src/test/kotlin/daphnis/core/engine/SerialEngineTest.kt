@@ -9,8 +9,6 @@ import daphnis.core.boundary.Open
 import daphnis.core.boundary.Periodic
 import daphnis.core.boundary.ShearedPeriodic
 import daphnis.core.boundary.Walls
-import daphnis.core.collision.BridgesRestitution
-import daphnis.core.collision.ConstantRestitution
 import daphnis.core.collision.ContactDurationGuard
 import daphnis.core.collision.FloorSpeedGuard
 import daphnis.core.collision.NoGuard
@@ -26,6 +24,8 @@ import daphnis.core.queue.ReferenceEventQueue
 import daphnis.core.randomSpheres
 import daphnis.core.simulationOf
 import daphnis.core.step.CollapseException
+import daphnis.core.surface.BridgesRestitution
+import daphnis.core.surface.ConstantRestitution
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue

@@ -10,7 +10,6 @@ import daphnis.core.boundary.Open
 import daphnis.core.boundary.Periodic
 import daphnis.core.boundary.ShearedPeriodic
 import daphnis.core.boundary.Walls
-import daphnis.core.collision.ConstantRestitution
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.hill.Epicycle
 import daphnis.core.hill.HillFrame
@@ -22,6 +21,7 @@ import daphnis.core.population.Conserved
 import daphnis.core.population.Population
 import daphnis.core.populationOf
 import daphnis.core.randomSpheres
+import daphnis.core.surface.ConstantRestitution
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test

@@ -8,11 +8,11 @@ import daphnis.core.boundary.Box
 import daphnis.core.boundary.Open
 import daphnis.core.boundary.Walls
 import daphnis.core.collision.CollisionRecord
-import daphnis.core.collision.ConstantRestitution
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.population.Population
 import daphnis.core.populationOf
 import daphnis.core.randomSpheres
+import daphnis.core.surface.ConstantRestitution
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test

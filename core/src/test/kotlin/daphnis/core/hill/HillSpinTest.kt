@@ -9,7 +9,6 @@ import daphnis.core.boundary.Open
 import daphnis.core.boundary.Walls
 import daphnis.core.collision.CollisionLaw
 import daphnis.core.collision.CollisionOutcome
-import daphnis.core.collision.ConstantRestitution
 import daphnis.core.collision.StepRows
 import daphnis.core.collision.WallContact
 import daphnis.core.engine.CollisionForcing
@@ -18,6 +17,7 @@ import daphnis.core.initial.SeededRandom
 import daphnis.core.population.Population
 import daphnis.core.population.SphereQuantity
 import daphnis.core.populationOf
+import daphnis.core.surface.ConstantRestitution
 import daphnis.core.surface.CoulombRoughness
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue

@@ -5,12 +5,12 @@ import daphnis.core.Simulation
 import daphnis.core.Sphere
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.Open
-import daphnis.core.collision.ConstantRestitution
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.initial.SeededRandom
 import daphnis.core.orbit.OrbitalFrequencies
 import daphnis.core.population.PopulationSums
 import daphnis.core.populationOf
+import daphnis.core.surface.ConstantRestitution
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue

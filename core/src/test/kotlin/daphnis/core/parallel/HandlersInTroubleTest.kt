@@ -4,7 +4,6 @@ import daphnis.core.boundary.Box
 import daphnis.core.boundary.Periodic
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.collision.CollisionLaw
-import daphnis.core.collision.ConstantRestitution
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.SerialEngine
 import daphnis.core.engine.islands.IslandsEngine
@@ -12,6 +11,7 @@ import daphnis.core.engine.threadpool.ThreadPoolEngine
 import daphnis.core.population.stateDigest
 import daphnis.core.randomSpheres
 import daphnis.core.step.CollisionStep
+import daphnis.core.surface.ConstantRestitution
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertSame
 import org.junit.jupiter.api.Assertions.assertThrows

@@ -3,13 +3,13 @@ package daphnis.core.physics
 import daphnis.core.FixedTimeStep
 import daphnis.core.Simulation
 import daphnis.core.boundary.Periodic
-import daphnis.core.collision.ConstantRestitution
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.engine.horizon.HorizonEngine
 import daphnis.core.force.Force
 import daphnis.core.force.thermostat.Andersen
 import daphnis.core.force.thermostat.WhiteNoise
 import daphnis.core.population.Population
+import daphnis.core.surface.ConstantRestitution
 import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import kotlin.math.PI

@@ -6,7 +6,6 @@ import daphnis.core.boundary.Box
 import daphnis.core.boundary.WallFace
 import daphnis.core.boundary.WallMotion
 import daphnis.core.boundary.Walls
-import daphnis.core.collision.ConstantRestitution
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.force.UniformAcceleration
 import daphnis.core.initial.RandomPlacement
@@ -14,6 +13,7 @@ import daphnis.core.initial.SeededRandom
 import daphnis.core.population.Population
 import daphnis.core.run.CollisionStatistics
 import daphnis.core.run.WallStatistics
+import daphnis.core.surface.ConstantRestitution
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test

@@ -8,7 +8,6 @@ import daphnis.core.boundary.Piston
 import daphnis.core.boundary.WallFace
 import daphnis.core.boundary.Walls
 import daphnis.core.collision.CollisionRecord
-import daphnis.core.collision.ConstantRestitution
 import daphnis.core.collision.Pistons
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.CollisionForcing
@@ -20,6 +19,7 @@ import daphnis.core.initial.SeededRandom
 import daphnis.core.parallel.FixedPool
 import daphnis.core.population.Population
 import daphnis.core.population.stateDigest
+import daphnis.core.surface.ConstantRestitution
 import daphnis.core.surface.ConstantRoughness
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNotEquals

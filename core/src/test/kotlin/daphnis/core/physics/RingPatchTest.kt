@@ -4,7 +4,6 @@ import daphnis.core.FixedTimeStep
 import daphnis.core.Output
 import daphnis.core.Simulation
 import daphnis.core.boundary.Box
-import daphnis.core.collision.BridgesRestitution
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.hill.HillFrame
 import daphnis.core.hill.HillSheet
@@ -15,6 +14,7 @@ import daphnis.core.population.Population
 import daphnis.core.population.VelocityMoments
 import daphnis.core.run.CollisionStatistics
 import daphnis.core.search.Overlap
+import daphnis.core.surface.BridgesRestitution
 import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import kotlin.math.PI

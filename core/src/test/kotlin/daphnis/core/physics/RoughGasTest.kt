@@ -3,10 +3,10 @@ package daphnis.core.physics
 import daphnis.core.FixedTimeStep
 import daphnis.core.Simulation
 import daphnis.core.boundary.Periodic
-import daphnis.core.collision.ConstantRestitution
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.initial.SeededRandom
 import daphnis.core.population.Population
+import daphnis.core.surface.ConstantRestitution
 import daphnis.core.surface.ConstantRoughness
 import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test

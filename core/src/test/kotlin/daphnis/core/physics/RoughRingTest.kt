@@ -3,7 +3,6 @@ package daphnis.core.physics
 import daphnis.core.FixedTimeStep
 import daphnis.core.Simulation
 import daphnis.core.boundary.Box
-import daphnis.core.collision.BridgesRestitution
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.hill.HillFrame
 import daphnis.core.hill.HillSheet
@@ -14,6 +13,7 @@ import daphnis.core.population.Population
 import daphnis.core.population.SpinSums
 import daphnis.core.population.VelocityMoments
 import daphnis.core.run.CollisionStatistics
+import daphnis.core.surface.BridgesRestitution
 import daphnis.core.surface.ConstantRoughness
 import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test

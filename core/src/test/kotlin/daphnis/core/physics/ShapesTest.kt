@@ -8,7 +8,6 @@ import daphnis.core.boundary.WallFace
 import daphnis.core.boundary.WallMotion
 import daphnis.core.boundary.WallSurface
 import daphnis.core.boundary.Walls
-import daphnis.core.collision.ConstantRestitution
 import daphnis.core.collision.FloorSpeedGuard
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.force.UniformAcceleration
@@ -16,6 +15,7 @@ import daphnis.core.initial.RandomPlacement
 import daphnis.core.initial.SeededRandom
 import daphnis.core.population.Population
 import daphnis.core.run.WallStatistics
+import daphnis.core.surface.ConstantRestitution
 import daphnis.core.surface.CoulombRoughness
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue

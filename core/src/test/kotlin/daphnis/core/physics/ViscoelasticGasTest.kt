@@ -3,9 +3,9 @@ package daphnis.core.physics
 import daphnis.core.Simulation
 import daphnis.core.TimeStep
 import daphnis.core.boundary.Periodic
-import daphnis.core.collision.ViscoelasticRestitution
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.surface.SurfaceContact
+import daphnis.core.surface.ViscoelasticRestitution
 import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import java.util.Locale

@@ -4,7 +4,6 @@ import daphnis.core.FixedTimeStep
 import daphnis.core.Simulation
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.Periodic
-import daphnis.core.collision.ConstantRestitution
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.engine.SerialEngine
 import daphnis.core.engine.islands.IslandsEngine
@@ -20,6 +19,7 @@ import daphnis.core.initial.SeededRandom
 import daphnis.core.parallel.FixedPool
 import daphnis.core.permuted
 import daphnis.core.randomSpheres
+import daphnis.core.surface.ConstantRestitution
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNotEquals

@@ -6,7 +6,6 @@ import daphnis.core.Sphere
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.Open
 import daphnis.core.boundary.Periodic
-import daphnis.core.collision.ConstantRestitution
 import daphnis.core.collision.NoGuard
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.engine.SerialEngine
@@ -14,6 +13,7 @@ import daphnis.core.population.Population
 import daphnis.core.populationOf
 import daphnis.core.randomSpheres
 import daphnis.core.simulationOf
+import daphnis.core.surface.ConstantRestitution
 import daphnis.core.surface.ConstantRoughness
 import daphnis.core.surface.CoulombRoughness
 import org.junit.jupiter.api.Assertions.assertEquals

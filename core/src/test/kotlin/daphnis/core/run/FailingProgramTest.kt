@@ -6,12 +6,12 @@ import daphnis.core.OutputState
 import daphnis.core.Simulation
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.Periodic
-import daphnis.core.collision.ConstantRestitution
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.force.Force
 import daphnis.core.force.Kick
 import daphnis.core.population.Population
 import daphnis.core.randomSpheres
+import daphnis.core.surface.ConstantRestitution
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue

@@ -8,13 +8,13 @@ import daphnis.core.boundary.Box
 import daphnis.core.boundary.Open
 import daphnis.core.boundary.Periodic
 import daphnis.core.cluster.RowCase
-import daphnis.core.collision.ConstantRestitution
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.population.Population
 import daphnis.core.population.PopulationSums
 import daphnis.core.randomSpheres
 import daphnis.core.scenario.ScenarioJson
 import daphnis.core.simulationOf
+import daphnis.core.surface.ConstantRestitution
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test

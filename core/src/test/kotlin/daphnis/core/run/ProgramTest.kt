@@ -7,13 +7,13 @@ import daphnis.core.OutputState
 import daphnis.core.Simulation
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.LeesEdwards
-import daphnis.core.collision.Restitution
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.input.InputException
 import daphnis.core.population.Population
 import daphnis.core.randomSpheres
 import daphnis.core.scenario.OutputSpec
 import daphnis.core.search.Overlap
+import daphnis.core.surface.Restitution
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertThrows

@@ -7,13 +7,13 @@ import daphnis.core.Simulation
 import daphnis.core.Sphere
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.Walls
-import daphnis.core.collision.ConstantRestitution
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.input.InputException
 import daphnis.core.population.PopulationSums
 import daphnis.core.populationOf
 import daphnis.core.scenario.BuiltIn
 import daphnis.core.scenario.OutputSpec
+import daphnis.core.surface.ConstantRestitution
 import daphnis.core.table.Dimension
 import daphnis.core.table.UnitsOfDimensions
 import org.junit.jupiter.api.Assertions.assertEquals

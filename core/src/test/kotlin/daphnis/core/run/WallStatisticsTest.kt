@@ -7,13 +7,13 @@ import daphnis.core.boundary.Box
 import daphnis.core.boundary.WallFace
 import daphnis.core.boundary.WallMotion
 import daphnis.core.boundary.Walls
-import daphnis.core.collision.ConstantRestitution
 import daphnis.core.collision.WallContact
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.force.UniformAcceleration
 import daphnis.core.initial.SeededRandom
 import daphnis.core.population.Population
 import daphnis.core.randomSpheres
+import daphnis.core.surface.ConstantRestitution
 import daphnis.core.surface.ConstantRoughness
 import daphnis.core.surface.Roughness
 import org.junit.jupiter.api.Assertions.assertEquals

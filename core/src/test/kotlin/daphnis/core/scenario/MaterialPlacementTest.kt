@@ -5,7 +5,6 @@ import daphnis.core.Simulation
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.Open
 import daphnis.core.boundary.Periodic
-import daphnis.core.collision.ConstantRestitution
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.format.ExtendedXyz
 import daphnis.core.format.LammpsDump
@@ -23,6 +22,7 @@ import daphnis.core.run.SeriesColumns
 import daphnis.core.run.results
 import daphnis.core.run.tableScenario
 import daphnis.core.run.toStep
+import daphnis.core.surface.ConstantRestitution
 import daphnis.core.surface.MaterialLaws
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse

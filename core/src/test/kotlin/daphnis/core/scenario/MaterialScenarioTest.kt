@@ -1,11 +1,11 @@
 package daphnis.core.scenario
 
-import daphnis.core.collision.ConstantRestitution
-import daphnis.core.collision.Restitution
 import daphnis.core.input.InputException
 import daphnis.core.population.Population
+import daphnis.core.surface.ConstantRestitution
 import daphnis.core.surface.MaterialLaws
 import daphnis.core.surface.MaterialRoughness
+import daphnis.core.surface.Restitution
 import daphnis.core.surface.SurfaceContact
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals

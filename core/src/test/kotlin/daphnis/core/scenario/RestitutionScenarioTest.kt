@@ -2,9 +2,9 @@ package daphnis.core.scenario
 
 import daphnis.core.collision.FloorSpeedGuard
 import daphnis.core.collision.NoGuard
-import daphnis.core.collision.Restitution
-import daphnis.core.collision.ViscoelasticRestitution
 import daphnis.core.input.InputException
+import daphnis.core.surface.Restitution
+import daphnis.core.surface.ViscoelasticRestitution
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue

@@ -7,7 +7,6 @@ import daphnis.core.boundary.Box
 import daphnis.core.boundary.Open
 import daphnis.core.boundary.Periodic
 import daphnis.core.boundary.Walls
-import daphnis.core.collision.ConstantRestitution
 import daphnis.core.engine.BruteForceEngine
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.CollisionForcing
@@ -21,6 +20,7 @@ import daphnis.core.initial.SeededRandom
 import daphnis.core.parallel.FixedPool
 import daphnis.core.population.Population
 import daphnis.core.population.stateDigest
+import daphnis.core.surface.ConstantRestitution
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test

@@ -10,7 +10,6 @@ import daphnis.core.boundary.ShearedPeriodic
 import daphnis.core.boundary.Walls
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.collision.CollisionLaw
-import daphnis.core.collision.ConstantRestitution
 import daphnis.core.collision.StepRows
 import daphnis.core.collision.StepRows.Companion.RADIUS
 import daphnis.core.collision.StepRows.Companion.STRIDE
@@ -27,6 +26,7 @@ import daphnis.core.queue.EventSink
 import daphnis.core.randomSpheres
 import daphnis.core.search.GridSort
 import daphnis.core.search.SearchStructure
+import daphnis.core.surface.ConstantRestitution
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue

@@ -5,11 +5,11 @@ import daphnis.core.boundary.Box
 import daphnis.core.boundary.Walls
 import daphnis.core.collision.CollisionLaw
 import daphnis.core.collision.CollisionOutcome
-import daphnis.core.collision.ConstantRestitution
 import daphnis.core.collision.StepRows
 import daphnis.core.collision.WallContact
 import daphnis.core.populationOf
 import daphnis.core.simulationOf
+import daphnis.core.surface.ConstantRestitution
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue

@@ -11,7 +11,6 @@ import daphnis.core.boundary.Walls
 import daphnis.core.collision.CollapseGuard
 import daphnis.core.collision.CollisionLaw
 import daphnis.core.collision.CollisionOutcome
-import daphnis.core.collision.ConstantRestitution
 import daphnis.core.collision.ContactDurationGuard
 import daphnis.core.collision.FloorSpeedGuard
 import daphnis.core.collision.NoGuard

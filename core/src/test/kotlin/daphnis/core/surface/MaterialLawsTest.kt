@@ -6,9 +6,7 @@ import daphnis.core.Sphere
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.Open
 import daphnis.core.boundary.Periodic
-import daphnis.core.collision.ConstantRestitution
 import daphnis.core.collision.FloorSpeedGuard
-import daphnis.core.collision.Restitution
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.population.Population
 import daphnis.core.population.stateDigest

@@ -6,7 +6,6 @@ import daphnis.core.Sphere
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.Open
 import daphnis.core.boundary.Periodic
-import daphnis.core.collision.ConstantRestitution
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.population.MaterialSums
 import daphnis.core.population.PopulationSums

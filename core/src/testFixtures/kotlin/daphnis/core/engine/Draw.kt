@@ -10,8 +10,6 @@ import daphnis.core.boundary.Open
 import daphnis.core.boundary.Periodic
 import daphnis.core.boundary.ShearedPeriodic
 import daphnis.core.boundary.Walls
-import daphnis.core.collision.BridgesRestitution
-import daphnis.core.collision.ConstantRestitution
 import daphnis.core.collision.ContactDurationGuard
 import daphnis.core.collision.FloorSpeedGuard
 import daphnis.core.collision.NoGuard
@@ -34,6 +32,8 @@ import daphnis.core.initial.SeededRandom
 import daphnis.core.orbit.OrbitalFrequencies
 import daphnis.core.population.Population
 import daphnis.core.search.SearchStructure
+import daphnis.core.surface.BridgesRestitution
+import daphnis.core.surface.ConstantRestitution
 
 /**
  * A random gas for engines: everything follows from [seed].

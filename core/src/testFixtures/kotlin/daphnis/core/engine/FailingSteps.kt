@@ -6,7 +6,6 @@ import daphnis.core.Simulation
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.Periodic
-import daphnis.core.collision.ConstantRestitution
 import daphnis.core.collision.ContactDurationGuard
 import daphnis.core.force.Force
 import daphnis.core.force.SelfGravity
@@ -19,6 +18,7 @@ import daphnis.core.initial.RandomPlacement
 import daphnis.core.initial.SeededRandom
 import daphnis.core.population.Population
 import daphnis.core.population.stateDigest
+import daphnis.core.surface.ConstantRestitution
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertSame
 import org.junit.jupiter.api.Assertions.assertTrue

@@ -9,11 +9,11 @@ import daphnis.core.boundary.Open
 import daphnis.core.boundary.Periodic
 import daphnis.core.boundary.Walls
 import daphnis.core.collision.CollapseGuard
-import daphnis.core.collision.ConstantRestitution
 import daphnis.core.collision.FloorSpeedGuard
 import daphnis.core.collision.NoGuard
 import daphnis.core.initial.SeededRandom
 import daphnis.core.population.Population
+import daphnis.core.surface.ConstantRestitution
 
 /**
  * A random case of the kinds that gases never are: exact, jammed, far too large or too small. Everything follows from

@@ -1,13 +1,13 @@
 package daphnis.core.engine
 
 import daphnis.core.collision.CollapseGuard
-import daphnis.core.collision.Restitution
 import daphnis.core.initial.SeededRandom
 import daphnis.core.population.Population
 import daphnis.core.surface.ConstantRoughness
 import daphnis.core.surface.ContactLaw
 import daphnis.core.surface.CoulombRoughness
 import daphnis.core.surface.MaterialLaws
+import daphnis.core.surface.Restitution
 import daphnis.core.surface.RoughContact
 import daphnis.core.surface.Roughness
 import daphnis.core.surface.SurfaceContact

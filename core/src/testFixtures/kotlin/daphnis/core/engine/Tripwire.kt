@@ -6,7 +6,6 @@ import daphnis.core.TimeStep
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.PerSphereBoundary
 import daphnis.core.collision.CollapseGuard
-import daphnis.core.collision.Restitution
 import daphnis.core.force.Drift
 import daphnis.core.force.Force
 import daphnis.core.force.Kick
@@ -14,6 +13,7 @@ import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.Population
 import daphnis.core.population.stateDigest
+import daphnis.core.surface.Restitution
 import java.util.concurrent.atomic.AtomicInteger
 
 /** Counts the calls of the functions that a user gives to a simulation, from any thread, and throws at one of them. */

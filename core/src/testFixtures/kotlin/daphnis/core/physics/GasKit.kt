@@ -7,7 +7,6 @@ import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.Periodic
 import daphnis.core.collision.CollapseGuard
-import daphnis.core.collision.ConstantRestitution
 import daphnis.core.collision.NoGuard
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.initial.LatticePlacement
@@ -15,6 +14,7 @@ import daphnis.core.initial.RandomPlacement
 import daphnis.core.initial.SeededRandom
 import daphnis.core.population.Conserved
 import daphnis.core.population.Population
+import daphnis.core.surface.ConstantRestitution
 import kotlin.math.sqrt
 
 /** Cube that holds [count] spheres of diameter 1 at filling factor [filling]. */

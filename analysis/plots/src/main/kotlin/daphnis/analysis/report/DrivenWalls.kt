@@ -23,7 +23,7 @@ internal object DrivenWalls {
         val all = listOf(faces.lowerX, faces.upperX, faces.lowerY, faces.upperY, faces.lowerZ, faces.upperZ)
         val frequencies = all.mapNotNull { frequency(it?.motion) }.distinct()
         val output = scenario.output
-        val step = (scenario.timeStep as? TimeStepSpec.Fixed)?.dt ?: Double.NaN
+        val step = scenario.timeStep.dt ?: Double.NaN
         val intervals = listOf(
             "output.seriesEvery" to output.seriesEvery * step,
             "output.seriesInterval" to output.seriesInterval,

@@ -19,8 +19,7 @@ internal object ElasticGas {
         scenario.restitutionAtRest == 1.0 && (0 until last.dimensions).all { last.boundary.repeats(it) }
 
     /** Whether spheres slide on one another without friction. */
-    fun isSmooth(scenario: Scenario): Boolean =
-        scenario.impacts.all { it.roughness == null || it.roughness is RoughnessSpec.Smooth }
+    fun isSmooth(scenario: Scenario): Boolean = scenario.impacts.all { it.roughness?.isSmooth != false }
 
     /** Whether that box is a cube, too. */
     fun isCube(scenario: Scenario, last: State): Boolean {

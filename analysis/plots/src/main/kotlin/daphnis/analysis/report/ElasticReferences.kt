@@ -7,7 +7,6 @@ import daphnis.analysis.theory.HardSphereMixture
 import daphnis.analysis.theory.HardSpheres
 import daphnis.core.population.Population
 import daphnis.core.scenario.LatticeName
-import daphnis.core.scenario.PlacementSpec
 import daphnis.core.scenario.Scenario
 import kotlin.math.PI
 import kotlin.math.abs
@@ -60,8 +59,7 @@ internal object ElasticReferences {
     }
 
     private fun isCrystal(scenario: Scenario) =
-        (scenario.placement as? PlacementSpec.Lattice)?.let { it.lattice == LatticeName.FCC && it.vacancies == 0.0 } ==
-            true
+        scenario.placement.let { it.lattice == LatticeName.FCC && it.vacancies == 0.0 }
 
     private fun ofFluid(p: Population, filling: Double, temperature: Double): Map<String, Reference> {
         val z = HardSpheres.kolafaLabikMalijevsky(filling, p.size)

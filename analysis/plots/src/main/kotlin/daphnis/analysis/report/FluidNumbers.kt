@@ -6,7 +6,6 @@ import daphnis.analysis.insitu.Averages
 import daphnis.analysis.insitu.State
 import daphnis.analysis.theory.HardDiscs
 import daphnis.analysis.theory.HardSpheres
-import daphnis.core.scenario.PlacementSpec
 
 /** Numbers of the structure of a fluid of equal elastic spheres or discs at rest: S(0⁺) and g at contact. */
 internal class FluidNumbers(private val study: Study) : Section {
@@ -45,7 +44,7 @@ internal class FluidNumbers(private val study: Study) : Section {
     }
 
     /** Neither begun as a crystal nor as dense as one: a crystal's S(k) at small k is no compressibility. */
-    private fun isFluid() = study.physics?.placement !is PlacementSpec.Lattice && !study.mayFreeze
+    private fun isFluid() = study.physics?.placement?.isOrdered != true && !study.mayFreeze
 
     private fun references(): Map<String, Reference> {
         if (filling > (if (isPlane) MOST_OF_DISCS else MOST_OF_SPHERES)) return emptyMap()

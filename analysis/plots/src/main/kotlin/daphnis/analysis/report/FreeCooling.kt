@@ -4,11 +4,8 @@ import daphnis.analysis.input.AnalysisInput
 import daphnis.core.population.granularTemperature
 import daphnis.core.scenario.BoundarySpec
 import daphnis.core.scenario.GuardSpec
-import daphnis.core.scenario.RestitutionSpec
-import daphnis.core.scenario.RoughnessSpec
 import daphnis.core.scenario.Scenario
 import java.nio.file.Files
-import kotlin.math.abs
 import kotlin.math.ln
 import kotlin.math.sqrt
 
@@ -24,35 +21,17 @@ internal object FreeCooling {
     /** @param dispersion of velocities along an axis, at the end of the run */
     fun isOf(scenario: Scenario, dispersion: Double): Boolean {
         if (isDriven(scenario)) return false
-        return scenario.impacts.any { isRubbing(it.roughness) } ||
-            scenario.impacts.any { isLossy(it.restitution!!) } &&
+        return scenario.impacts.any { it.roughness?.loses == true } ||
+            scenario.impacts.any { it.restitution!!.losesAlways } &&
             !isElastic(scenario.guard, dispersion)
-    }
-
-    /** Whether impacts lose energy however slow they are; laws that are elastic for slow ones end the cooling. */
-    private fun isLossy(law: RestitutionSpec): Boolean = when (law) {
-        is RestitutionSpec.Constant -> law.coefficient < 1
-        is RestitutionSpec.Step -> law.below < 1
-        is RestitutionSpec.Table -> law.points[0][1] < 1
-        is RestitutionSpec.Viscoelastic -> law.coefficient < 1
-        is RestitutionSpec.Bridges, is RestitutionSpec.Borderies -> false
-    }
-
-    /** Whether surfaces lose energy: friction does so at every speed, and a guard does not end it. */
-    private fun isRubbing(roughness: RoughnessSpec?): Boolean = when (roughness) {
-        null, is RoughnessSpec.Smooth -> false
-        is RoughnessSpec.Constant -> abs(roughness.coefficient) < 1
-        is RoughnessSpec.Coulomb -> roughness.friction > 0 && roughness.sticking > -1
     }
 
     /**
      * Whether most impacts are elastic already. In a gas the normal component of the relative velocity at an impact has
      * the density g exp(−g²/4σ²), so half of the impacts are slower than 2σ √ln 2.
      */
-    private fun isElastic(guard: GuardSpec?, dispersion: Double): Boolean {
-        val floor = (guard as? GuardSpec.FloorSpeed)?.speed ?: return false
-        return floor > 2 * sqrt(ln(2.0)) * dispersion
-    }
+    private fun isElastic(guard: GuardSpec?, dispersion: Double): Boolean =
+        guard != null && guard.floor(dispersion) > 2 * sqrt(ln(2.0)) * dispersion
 
     private fun dispersionAtEnd(input: AnalysisInput): Double {
         val last = input.state(input.size - 1)

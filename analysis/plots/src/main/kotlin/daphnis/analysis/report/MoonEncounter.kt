@@ -5,9 +5,7 @@ import daphnis.analysis.table.UnitNames
 import daphnis.core.boundary.Box
 import daphnis.core.hill.Moon
 import daphnis.core.orbit.OrbitalFrequencies
-import daphnis.core.scenario.FrameSpec
 import daphnis.core.scenario.Scenario
-import daphnis.core.scenario.gravitationalParameter
 
 /** The passage of a scenario's moon by its patch: the [Encounter] it makes, and its rows in the report. */
 internal object MoonEncounter {
@@ -25,8 +23,7 @@ internal object MoonEncounter {
         moon: Moon? = moons(scenario).firstOrNull(),
     ): Encounter? {
         if (scenario == null || moon == null) return null
-        val frame = scenario.frame as? FrameSpec.Hill ?: return null
-        val planet = frame.gravitationalParameter(scenario.units) ?: return null
+        val planet = scenario.frame?.gravitationalParameter(scenario.units) ?: return null
         val ratio = moon.massRatio(scenario.units, planet) ?: return null
         val distance = (box.lowerX + box.upperX) / 2 - moon.x
         // The moon pulls by μ GM where orbits take 2π/Ω, which is what the frame knows of its distance.

@@ -1,7 +1,6 @@
 package daphnis.analysis.report
 
 import daphnis.core.format.WholeFile
-import daphnis.core.scenario.SizesSpec
 import java.nio.file.Files
 import kotlin.math.PI
 
@@ -24,7 +23,7 @@ internal class NumbersSection(private val study: Study, private val others: List
             notes +=
                 "± is one standard error; numbers without it and without a mark follow from the particles and the " +
                 "box themselves, or are conserved."
-            if (areSizesDrawn()) notes += DRAWN
+            if (study.physics?.particles?.sizes?.isContinuous == true) notes += DRAWN
         }
         val source = if (study.input.scenario == null) "file" else "scenario"
         if (rows.any { "unit" in it.unit }) notes += "Units without a name are those of the $source."
@@ -45,11 +44,6 @@ internal class NumbersSection(private val study: Study, private val others: List
             study.tables.resolve("numbers.csv"),
             (listOf(header) + lines).joinToString("\n", postfix = "\n"),
         )
-    }
-
-    private fun areSizesDrawn() = when (study.physics?.particles?.sizes) {
-        is SizesSpec.PowerLaw, is SizesSpec.LogNormal -> true
-        is SizesSpec.Equal, is SizesSpec.Listed, null -> false
     }
 
     /** Whether the averages are over a steady time, in sentences. */

@@ -4,9 +4,8 @@ import daphnis.analysis.insitu.State
 import daphnis.analysis.theory.HeatedGas
 import daphnis.core.orbit.OrbitalFrequencies
 import daphnis.core.scenario.BoundarySpec
-import daphnis.core.scenario.GuardSpec
-import daphnis.core.scenario.RestitutionSpec
 import daphnis.core.scenario.Scenario
+import daphnis.core.surface.BridgesSpec
 import kotlin.math.abs
 import kotlin.math.hypot
 import kotlin.math.sqrt
@@ -74,13 +73,11 @@ internal object References {
         orbits: OrbitalFrequencies,
         opticalDepth: Double,
     ): Map<String, Reference> {
-        val law = scenario.restitution as? RestitutionSpec.Bridges ?: return emptyMap()
         val sheet = scenario.boundary as? BoundarySpec.HillSheet ?: return emptyMap()
         if (!isPlain(scenario, last)) return emptyMap()
         val speed = last.population.radius[0] * orbits.omega * scenario.units.speedInCmPerSecond
         val same =
-            law.prefactor == 0.34 &&
-                law.exponent == -0.234 &&
+            scenario.restitution == BridgesSpec(0.34, -0.234) &&
                 !sheet.radiallyOpen &&
                 orbits.radialFactor == 1.0 &&
                 orbits.verticalFactor == 1.0 &&
@@ -94,11 +91,11 @@ internal object References {
 
     /** Of a Lees–Edwards box, in the units of its table. */
     fun ofShear(scenario: Scenario, last: State, filling: Double): Map<String, Reference> {
-        val law = scenario.restitution as? RestitutionSpec.Constant ?: return emptyMap()
+        val restitution = scenario.restitution.constant ?: return emptyMap()
         val isSheared = scenario.boundary is BoundarySpec.LeesEdwards && scenario.frame == null
         if (!isSheared || !isPlain(scenario, last)) return emptyMap()
         if (last.dimensions != 3) return emptyMap()
-        val row = SHEARED.find { it[0] == law.coefficient && abs(filling / it[1] - 1) < 0.01 } ?: return emptyMap()
+        val row = SHEARED.find { it[0] == restitution && abs(filling / it[1] - 1) < 0.01 } ?: return emptyMap()
         return mapOf(
             "reduced_temperature" to Reference(row[2], 0.03 * row[2], INDEPENDENT),
             "reduced_pressure" to Reference(row[3], 0.04 * row[3], INDEPENDENT),
@@ -108,18 +105,18 @@ internal object References {
 
     /** Temperature and a₂ of a gas that white noise heats, van Noije & Ernst 1998. */
     fun ofHeated(scenario: Scenario, last: State, numberDensity: Double): Map<String, Reference> {
-        val law = scenario.restitution as? RestitutionSpec.Constant ?: return emptyMap()
+        val restitution = scenario.restitution.constant ?: return emptyMap()
         val noise = scenario.forces.singleOrNull()?.noise ?: return emptyMap()
         val isPeriodic = scenario.boundary is BoundarySpec.Periodic && (0..2).all { last.boundary.repeats(it) }
-        if (!isPeriodic || scenario.frame != null || law.coefficient < LEAST_HEATED) return emptyMap()
+        if (!isPeriodic || scenario.frame != null || restitution < LEAST_HEATED) return emptyMap()
         if (!isPlain(scenario, last, forces = 1)) return emptyMap()
         val intensity = noise.intensity(last.population.mass[0])
         val diameter = 2 * last.population.radius[0]
-        val t = HeatedGas.temperature(intensity, noise.drag, law.coefficient, numberDensity, diameter)
+        val t = HeatedGas.temperature(intensity, noise.drag, restitution, numberDensity, diameter)
         if (!(t > 0 && t.isFinite())) return emptyMap()
         val temperature = mapOf("granular_temperature" to Reference(t, HEATED_BOUND * t, NOIJE))
         if (noise.drag > 0) return temperature
-        val a2 = HeatedGas.fourthCumulant(law.coefficient)
+        val a2 = HeatedGas.fourthCumulant(restitution)
         return temperature + ("velocity_a2" to Reference(a2, CUMULANT_BOUND, NOIJE))
     }
 
@@ -132,12 +129,8 @@ internal object References {
         scenario.bodies.isEmpty() &&
         ElasticGas.areEqual(last.population.radius) &&
         ElasticGas.areEqual(last.population.mass) &&
-        when (val guard = scenario.guard) {
-            null, is GuardSpec.None -> true
-            // A run has resolved what is relative to a speed.
-            is GuardSpec.FloorSpeed -> (guard.relative ?: (guard.speed ?: Double.NaN).div(rms(last))) <= FELT
-            is GuardSpec.ContactDuration -> false
-        }
+        // A run has resolved what is relative to a speed.
+        (scenario.guard == null || rms(last).let { scenario.guard!!.floor(it) <= FELT * it })
 
     /** Root mean square of a component of the velocities. */
     private fun rms(state: State): Double {

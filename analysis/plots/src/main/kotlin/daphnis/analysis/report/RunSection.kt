@@ -22,7 +22,7 @@ internal class RunSection(private val study: Study) : Section {
         if (Files.exists(directory.program)) return
         val run = directory.path
         // A step ends where a run was to end first.
-        val isChosen = input.scenario?.timeStep is TimeStepSpec.Automatic
+        val isChosen = input.scenario?.timeStep?.isChosen == true
         val unless = if (isChosen) ", unless the run was resumed to another end than it had at first" else ""
         // Of a run without a summary nobody knows.
         val what = if (input.summary?.finished == true) {

@@ -9,7 +9,6 @@ import daphnis.core.boundary.Open
 import daphnis.core.boundary.Periodic
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.collision.CollisionLaw
-import daphnis.core.collision.ConstantRestitution
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.initial.SeededRandom
 import daphnis.core.parallel.InlineLoop
@@ -20,6 +19,7 @@ import daphnis.core.search.Grid
 import daphnis.core.search.GridExtent
 import daphnis.core.step.CollisionStep
 import daphnis.core.step.PreparedStep
+import daphnis.core.surface.ConstantRestitution
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test

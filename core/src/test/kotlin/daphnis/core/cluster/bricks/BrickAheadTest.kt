@@ -5,7 +5,6 @@ import daphnis.core.boundary.Box
 import daphnis.core.boundary.Periodic
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.collision.CollisionLaw
-import daphnis.core.collision.ConstantRestitution
 import daphnis.core.engine.assertSameStep
 import daphnis.core.engine.horizon.HorizonTuning
 import daphnis.core.parallel.FixedPool
@@ -15,6 +14,7 @@ import daphnis.core.randomSpheres
 import daphnis.core.simulationOf
 import daphnis.core.step.CollisionStep
 import daphnis.core.step.PreparedStep
+import daphnis.core.surface.ConstantRestitution
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test

@@ -2,8 +2,6 @@ package daphnis.core.cluster.bricks
 
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.collision.CollisionLaw
-import daphnis.core.collision.ConstantRestitution
-import daphnis.core.collision.Restitution
 import daphnis.core.engine.SerialEngine
 import daphnis.core.engine.horizon.HorizonTuning
 import daphnis.core.parallel.InlineLoop
@@ -13,6 +11,8 @@ import daphnis.core.search.Grid
 import daphnis.core.search.GridExtent
 import daphnis.core.step.CollisionStep
 import daphnis.core.step.PreparedStep
+import daphnis.core.surface.ConstantRestitution
+import daphnis.core.surface.Restitution
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Test

@@ -6,13 +6,13 @@ import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.cluster.bricks.Cuts.Companion.AXES
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.collision.CollisionLaw
-import daphnis.core.collision.ConstantRestitution
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.initial.SeededRandom
 import daphnis.core.population.Population
 import daphnis.core.step.CollisionStep
 import daphnis.core.step.PreparedStep
+import daphnis.core.surface.ConstantRestitution
 
 /** What a [BrickNet] does to messages. */
 internal enum class NetTrouble {

@@ -1,7 +1,6 @@
 package daphnis.core.cluster.bricks
 
 import daphnis.core.boundary.Box
-import daphnis.core.collision.ConstantRestitution
 import daphnis.core.engine.Case
 import daphnis.core.engine.Draw
 import daphnis.core.engine.Draws
@@ -16,6 +15,7 @@ import daphnis.core.parallel.FixedPool
 import daphnis.core.population.stateDigest
 import daphnis.core.randomSpheres
 import daphnis.core.simulationOf
+import daphnis.core.surface.ConstantRestitution
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Tag

@@ -6,7 +6,6 @@ import daphnis.core.Simulation
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.Periodic
 import daphnis.core.boundary.Walls
-import daphnis.core.collision.ConstantRestitution
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.engine.CoreEngines
@@ -23,6 +22,7 @@ import daphnis.core.parallel.FixedPool
 import daphnis.core.population.Population
 import daphnis.core.population.stateDigest
 import daphnis.core.simulationOf
+import daphnis.core.surface.ConstantRestitution
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Tag

@@ -10,7 +10,6 @@ import daphnis.core.boundary.Periodic
 import daphnis.core.boundary.ShearedPeriodic
 import daphnis.core.boundary.Walls
 import daphnis.core.collision.CollapseGuard
-import daphnis.core.collision.ConstantRestitution
 import daphnis.core.collision.ContactDurationGuard
 import daphnis.core.collision.NoGuard
 import daphnis.core.engine.CollisionEngine
@@ -25,6 +24,7 @@ import daphnis.core.hill.Satellite
 import daphnis.core.initial.SeededRandom
 import daphnis.core.orbit.OrbitalFrequencies
 import daphnis.core.population.Population
+import daphnis.core.surface.ConstantRestitution
 
 /**
  * A dilute system for many steps, and the meddling of outputs with it between steps. Everything follows from [seed].

@@ -3,11 +3,11 @@ package daphnis.core.engine.horizon
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.collision.CollisionLaw
-import daphnis.core.collision.ConstantRestitution
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.population.Population
 import daphnis.core.step.CollisionStep
 import daphnis.core.step.PreparedStep
+import daphnis.core.surface.ConstantRestitution
 
 /** Makes this the space of a step of [duration], measured but not laid out. */
 internal fun EpochSpace.measure(population: Population, boundary: BoundaryConditions, duration: Double) {

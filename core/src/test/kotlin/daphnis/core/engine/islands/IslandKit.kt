@@ -4,10 +4,10 @@ import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Open
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.collision.CollisionLaw
-import daphnis.core.collision.ConstantRestitution
 import daphnis.core.parallel.FixedPool
 import daphnis.core.population.Population
 import daphnis.core.step.CollisionStep
+import daphnis.core.surface.ConstantRestitution
 import java.util.concurrent.atomic.AtomicIntegerArray
 
 /** A step of unit length with elastic collisions. */

@@ -4,13 +4,13 @@ import daphnis.core.Sphere
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.Open
 import daphnis.core.boundary.Periodic
-import daphnis.core.collision.ConstantRestitution
 import daphnis.core.parallel.FixedPool
 import daphnis.core.population.stateDigest
 import daphnis.core.populationOf
 import daphnis.core.randomSpheres
 import daphnis.core.simulationOf
 import daphnis.core.step.CollapseException
+import daphnis.core.surface.ConstantRestitution
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue

@@ -8,11 +8,9 @@ import daphnis.core.boundary.Open
 import daphnis.core.boundary.Periodic
 import daphnis.core.collision.CollapseGuard
 import daphnis.core.collision.CollisionLaw
-import daphnis.core.collision.ConstantRestitution
 import daphnis.core.collision.ContactDurationGuard
 import daphnis.core.collision.FloorSpeedGuard
 import daphnis.core.collision.NoGuard
-import daphnis.core.collision.Restitution
 import daphnis.core.compression.GrowingSpheres
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.SurfaceDraw
@@ -21,6 +19,8 @@ import daphnis.core.force.Force
 import daphnis.core.force.Kick
 import daphnis.core.initial.SeededRandom
 import daphnis.core.population.Population
+import daphnis.core.surface.ConstantRestitution
+import daphnis.core.surface.Restitution
 import kotlin.math.pow
 
 /** A dense system, and the meddling with it between steps. Everything follows from [seed]. */

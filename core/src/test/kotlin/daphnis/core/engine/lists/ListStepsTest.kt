@@ -10,8 +10,6 @@ import daphnis.core.boundary.Periodic
 import daphnis.core.boundary.Walls
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.collision.CollisionLaw
-import daphnis.core.collision.ConstantRestitution
-import daphnis.core.collision.Restitution
 import daphnis.core.engine.CoreEngines
 import daphnis.core.engine.Draws
 import daphnis.core.engine.SerialEngine
@@ -25,6 +23,8 @@ import daphnis.core.population.Population
 import daphnis.core.population.stateDigest
 import daphnis.core.simulationOf
 import daphnis.core.step.CollisionStep
+import daphnis.core.surface.ConstantRestitution
+import daphnis.core.surface.Restitution
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue

@@ -3,12 +3,12 @@ package daphnis.core.engine.lists
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.Open
 import daphnis.core.boundary.Periodic
-import daphnis.core.collision.ConstantRestitution
 import daphnis.core.engine.CoreEngines
 import daphnis.core.engine.assertSameStep
 import daphnis.core.initial.SeededRandom
 import daphnis.core.population.Population
 import daphnis.core.simulationOf
+import daphnis.core.surface.ConstantRestitution
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test

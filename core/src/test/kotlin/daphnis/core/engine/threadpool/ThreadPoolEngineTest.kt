@@ -2,12 +2,12 @@ package daphnis.core.engine.threadpool
 
 import daphnis.core.Sphere
 import daphnis.core.boundary.Open
-import daphnis.core.collision.Restitution
 import daphnis.core.engine.SerialEngine
 import daphnis.core.parallel.FixedPool
 import daphnis.core.population.stateDigest
 import daphnis.core.populationOf
 import daphnis.core.simulationOf
+import daphnis.core.surface.Restitution
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue

@@ -1,7 +1,5 @@
-package daphnis.core.collision
+package daphnis.core.surface
 
-import daphnis.core.surface.ContactLaw
-import daphnis.core.surface.SurfaceContact
 import kotlin.math.sqrt
 
 /**

@@ -1,4 +1,4 @@
-package daphnis.core.collision
+package daphnis.core.surface
 
 /**
  * ε between measured points: linear in the impact speed from one to the next, and constant below the first and beyond
