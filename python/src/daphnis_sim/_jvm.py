@@ -136,17 +136,20 @@ def _major(version: str) -> int:
 def jars() -> list[Path]:
     """The jars of daphnis: those of the wheel, else those that were built in the checkout around this file.
 
+    What DAPHNIS_CLASSPATH names follows: jars and folders of libraries with ingredients of their own.
+
     Raises:
         JavaError: there are none.
     """
+    more = [Path(word) for word in os.environ.get("DAPHNIS_CLASSPATH", "").split(os.pathsep) if word]
     own = Path(__file__).parent / "jars"
     if own.is_dir():
-        return sorted(own.glob("*.jar"))
+        return sorted(own.glob("*.jar")) + more
     for above in Path(__file__).resolve().parents:
         if (above / "python" / "pyproject.toml").is_file():
             found = built_jars(above)
             if found:
-                return found
+                return found + more
             raise JavaError(f"{above}: daphnis is not built there; run ./daphnis --version, or python/build-wheel")
     raise JavaError(f"{own}: the jars are missing; install the wheel of daphnis again")
 

@@ -163,7 +163,12 @@ launch() {
     called=$0
     [ "$(command -v -- "${0##*/}" 2>/dev/null)" != "$0" ] || called=${0##*/}
 
-    set -- "-Ddaphnis.called=$called" -jar "$jar" "$@"
+    # Ingredients of other libraries, see docs/adding.md.
+    if [ -n "${DAPHNIS_CLASSPATH:-}" ]; then
+        set -- "-Ddaphnis.called=$called" -cp "$jar:$DAPHNIS_CLASSPATH" daphnis.app.MainKt "$@"
+    else
+        set -- "-Ddaphnis.called=$called" -jar "$jar" "$@"
+    fi
     # Words of options, but no names of files: nothing that looks for files may follow.
     set -f
     # shellcheck disable=SC2086

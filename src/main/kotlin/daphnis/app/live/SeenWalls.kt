@@ -4,7 +4,6 @@ import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.ContactFaces
 import daphnis.core.boundary.Piston
 import daphnis.core.scenario.BoundarySpec
-import daphnis.core.scenario.RoomName
 import daphnis.core.scenario.WallSurfaceSpec
 
 /**
@@ -28,7 +27,7 @@ internal class SeenWalls(
         rest + if (motion is Piston) pistons(face) ?: 0.0 else motion?.displacement(time) ?: 0.0
     }
 
-    val surfaces: List<WallSurfaceSpec> = (spec as? BoundarySpec.Walls)?.surfaces.orEmpty()
+    val surfaces: List<WallSurfaceSpec> = spec?.surfaces.orEmpty()
 
     /** Along what a surface has moved, and how far. */
     fun displacement(surface: Int): Double = boundary.surfaces[surface].face.motion?.displacement(time) ?: 0.0
@@ -43,18 +42,9 @@ internal class SeenWalls(
     /** The room between faces of the box, or within a surface that closes the axis; null where it is open. */
     fun extent(axis: Int): ClosedFloatingPointRange<Double>? {
         if (isFace(axis)) return places[2 * axis]..places[2 * axis + 1]
-        val around = surfaces.mapNotNull { it.around(axis) }
+        val around = surfaces.mapNotNull { it.extent(axis) }
         return if (around.isEmpty()) null else around.maxOf { it.start }..around.minOf { it.endInclusive }
     }
-
-    private fun WallSurfaceSpec.around(axis: Int): ClosedFloatingPointRange<Double>? = when (this) {
-        is WallSurfaceSpec.Plane -> null
-        is WallSurfaceSpec.Cylinder -> around(point[axis], radius, room).takeIf { this.axis[axis] == 0.0 }
-        is WallSurfaceSpec.Sphere -> around(centre[axis], radius, room)
-    }
-
-    private fun around(middle: Double, radius: Double, room: RoomName) =
-        (middle - radius..middle + radius).takeIf { room == RoomName.INSIDE }
 
     /** All walls by name; [length] writes a length with its unit. Empty without walls. */
     fun inWords(length: (Double) -> String): List<String> {
@@ -65,25 +55,6 @@ internal class SeenWalls(
             boundary.wallMotion(face)?.let { if (it is Piston) "$name is a piston" else "$name moves" }
         }
         return listOfNotNull(across) + moved + surfaces.map { it.named(length) }
-    }
-
-    private fun WallSurfaceSpec.named(length: (Double) -> String): String = when (this) {
-        is WallSurfaceSpec.Plane -> "plane with normal ${direction(normal)}" +
-            (if (motion != null) " that moves" else "") + if (belt.any { it != 0.0 }) " with a belt" else ""
-        is WallSurfaceSpec.Cylinder -> "cylinder of radius ${length(radius)} along ${direction(axis)}" +
-            (if (angularVelocity != 0.0) " that turns" else "") + outside(room)
-        is WallSurfaceSpec.Sphere -> "sphere of radius ${length(radius)}" +
-            (if (motion != null) " that moves" else "") +
-            (if (angularVelocity.any { it != 0.0 }) " that turns" else "") + outside(room)
-    }
-
-    private fun outside(room: RoomName) = if (room == RoomName.OUTSIDE) ", spheres outside" else ""
-
-    /** An axis by its name, another direction by its components. */
-    private fun direction(v: List<Double>): String {
-        val along =
-            v.indices.singleOrNull { v[it] != 0.0 } ?: return "(${v.joinToString(" ") { "$it".removeSuffix(".0") }})"
-        return if (v[along] < 0) "−${NAMES[along]}" else NAMES[along]
     }
 
     private companion object {

@@ -17,7 +17,7 @@ import kotlin.reflect.KClass
 @OptIn(InternalSerializationApi::class)
 public abstract class Kinds<T : Any>(ingredient: KClass<T>, own: List<Kind<out T>>) : KSerializer<T> {
     private val named by lazy {
-        val all = own + Ingredients.of(ingredient)
+        val all = (own + Ingredients.of(ingredient)).sortedBy { it.serializer.descriptor.serialName }
         val types = Array(all.size) { all[it].type }
         val serializers = Array(all.size) { all[it].serializer }
         SealedClassSerializer(ingredient.simpleName!!, ingredient, types, serializers)

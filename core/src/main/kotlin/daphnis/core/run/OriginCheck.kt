@@ -57,20 +57,17 @@ internal class OriginCheck(private val scenario: Scenario, private val source: S
 
     /** What was a piston in the other run is where it was in the state. */
     private fun boundary(other: Scenario?): BoundarySpec {
-        val walls = scenario.boundary as? BoundarySpec.Walls
-        val faces = walls?.faces ?: return scenario.boundary
         val before = RunOrigin.pistonsOf(other)
-        val both = faces.pistons.keys intersect before.keys
-        if (both.isEmpty()) return walls
-        val atStart = before.mapValues { listOf(it.value.position, it.value.velocity) }
-        val states = if (state.step == 0L) atStart else from.pistons().orEmpty()
+        val both = scenario.boundary.pistons.keys intersect before.keys
+        if (both.isEmpty()) return scenario.boundary
+        val states = if (state.step == 0L) before else from.pistons().orEmpty()
         for (face in both) {
             must("${WallFacesSpec.KEY}.${WallFacesSpec.NAMES[face]}.motion", face in states) {
                 "is a piston, and nothing says where it was in $said; take a state after a step that has a row in " +
                     SeriesColumns.file
             }
         }
-        return walls.with(faces.withPistons(states.filterKeys { it in both }))
+        return scenario.boundary.withPistons(states.filterKeys { it in both })
     }
 
     /** The run's own scenario says how many there were at its start, which may have been more. */

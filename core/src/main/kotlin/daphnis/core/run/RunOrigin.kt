@@ -3,7 +3,6 @@ package daphnis.core.run
 import daphnis.core.format.Snapshot
 import daphnis.core.format.reasonOf
 import daphnis.core.input.InputException
-import daphnis.core.scenario.BoundarySpec
 import daphnis.core.scenario.ClockSpec
 import daphnis.core.scenario.GuardSpec
 import daphnis.core.scenario.PlacementSpec
@@ -11,7 +10,6 @@ import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.Surroundings
 import daphnis.core.scenario.TimeStepSpec
 import daphnis.core.scenario.WallFacesSpec
-import daphnis.core.scenario.WallMotionSpec
 import java.io.IOException
 
 /**
@@ -60,8 +58,8 @@ public class RunOrigin(public val run: RecordedRun, public val state: Snapshot) 
     /** Pistons that [scenario] would have elsewhere, or with another speed, than the scenario of the other run. */
     private fun elsewhere(scenario: Scenario): List<String> {
         val before = pistonsOf(this.scenario)
-        return pistonsOf(scenario).filter { (face, piston) ->
-            before[face]?.let { it.position != piston.position || it.velocity != piston.velocity } == true
+        return pistonsOf(scenario).filter { (face, begin) ->
+            before[face]?.let { it != begin } == true
         }.map { (face, _) ->
             "$name: ${WallFacesSpec.KEY}.${WallFacesSpec.NAMES[face]}.motion: the piston goes on from where it is in " +
                 "the state, with the speed it has there; position and velocity are not used"
@@ -84,7 +82,6 @@ public class RunOrigin(public val run: RecordedRun, public val state: Snapshot) 
         private val OF_PISTON = Regex("""boundary\.faces\.(\w+)\.motion\.(?:position|velocity)""")
 
         /** The pistons of [scenario] by face. */
-        fun pistonsOf(scenario: Scenario?): Map<Int, WallMotionSpec.Piston> =
-            (scenario?.boundary as? BoundarySpec.Walls)?.faces?.pistons.orEmpty()
+        fun pistonsOf(scenario: Scenario?): Map<Int, List<Double>> = scenario?.boundary?.pistons.orEmpty()
     }
 }

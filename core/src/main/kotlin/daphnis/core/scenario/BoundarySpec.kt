@@ -18,14 +18,45 @@ import java.util.function.DoubleFunction
  */
 @Serializable
 public sealed interface BoundarySpec {
+    /** Whether it repeats along all axes of the space, with images at rest. */
+    public val repeatsAtRest: Boolean get() = false
+
+    /** Rate of a uniform shear that its images keep up, per unit of time; null without. */
+    public val shearRate: Double? get() = null
+
+    /** Whether it is the shearing sheet of Hill's frame, without ends. */
+    public val isSheet: Boolean get() = false
+
+    /** Whether the box is only where spheres are put. */
+    public val isOpen: Boolean get() = false
+
+    /** Whether it gives energy to the spheres. */
+    public val drives: Boolean get() = false
+
+    /** Cycles per unit of time of faces that vibrate, each once. */
+    public val frequencies: List<Double> get() = emptyList()
+
+    /** Walls that are no faces of the box. */
+    public val surfaces: List<WallSurfaceSpec> get() = emptyList()
+
+    /** Whether spheres can come to rest between these surfaces. */
+    public val mayCollapse: Boolean get() = false
+
+    /** Position and velocity with which each face begins that impacts push, by face. */
+    public val pistons: Map<Int, List<Double>> get() = emptyMap()
+
+    /** The same where [pistons] begin as in [states]. */
+    public fun withPistons(states: Map<Int, List<Double>>): BoundarySpec = this
+
     /**
      * The boundary conditions around [box].
      *
-     * @param frequencies of orbits in Hill's frame; null without a frame
-     * @param source what to call the scenario in messages
-     * @throws InputException for values that are wrong
+     * @param orbits in Hill's frame; null without a frame
+     * @param check names the scenario in messages
+     * @param seed by which thermal walls draw
+     * @throws daphnis.core.input.InputException for values that are wrong
      */
-    public fun conditions(box: Box, frequencies: OrbitalFrequencies?, source: String): BoundaryConditions
+    public fun conditions(box: Box, orbits: OrbitalFrequencies?, check: ValueCheck, seed: Long): BoundaryConditions
 
     /** A description for a reader: [number] writes numbers, and [speed] those with a unit of speed. */
     public fun inWords(number: DoubleFunction<String>, speed: DoubleFunction<String>): String = toString()
@@ -34,8 +65,14 @@ public sealed interface BoundarySpec {
     @Serializable
     @SerialName("open")
     public class Open : BoundarySpec {
-        override fun conditions(box: Box, frequencies: OrbitalFrequencies?, source: String): BoundaryConditions =
-            if (box.space.isPlane) OpenPlane else daphnis.core.boundary.Open
+        override val isOpen: Boolean get() = true
+
+        override fun conditions(
+            box: Box,
+            orbits: OrbitalFrequencies?,
+            check: ValueCheck,
+            seed: Long,
+        ): BoundaryConditions = if (box.space.isPlane) OpenPlane else daphnis.core.boundary.Open
 
         override fun inWords(number: DoubleFunction<String>, speed: DoubleFunction<String>): String =
             "open: only where spheres are put"
@@ -46,8 +83,14 @@ public sealed interface BoundarySpec {
     @Serializable
     @SerialName("periodic")
     public class Periodic : BoundarySpec {
-        override fun conditions(box: Box, frequencies: OrbitalFrequencies?, source: String): BoundaryConditions =
-            daphnis.core.boundary.Periodic(box)
+        override val repeatsAtRest: Boolean get() = true
+
+        override fun conditions(
+            box: Box,
+            orbits: OrbitalFrequencies?,
+            check: ValueCheck,
+            seed: Long,
+        ): BoundaryConditions = daphnis.core.boundary.Periodic(box)
 
         override fun toString(): String = "periodic"
     }
@@ -66,27 +109,34 @@ public sealed interface BoundarySpec {
         public val restitution: Double = 1.0,
         public val roughness: WallRoughnessSpec? = null,
         public val faces: WallFacesSpec? = null,
-        public val surfaces: List<WallSurfaceSpec> = emptyList(),
+        override val surfaces: List<WallSurfaceSpec> = emptyList(),
     ) : BoundarySpec {
-        /** The same with other [faces]. */
-        internal fun with(faces: WallFacesSpec) = Walls(axes, restitution, roughness, faces, surfaces)
+        override val drives: Boolean
+            get() = faces?.named.orEmpty().any { it?.drives == true } || surfaces.any { it.drives }
+        override val frequencies: List<Double>
+            get() = faces?.named.orEmpty().mapNotNull { it?.motion?.frequency }.distinct()
+        override val mayCollapse: Boolean get() = surfaces.any { (it.restitution ?: restitution) < 1 }
+        override val pistons: Map<Int, List<Double>> get() = faces?.pistons.orEmpty()
 
-        override fun conditions(box: Box, frequencies: OrbitalFrequencies?, source: String): BoundaryConditions =
-            conditions(box, source, seed = 0)
+        override fun withPistons(states: Map<Int, List<Double>>): BoundarySpec =
+            Walls(axes, restitution, roughness, faces?.withPistons(states), surfaces)
 
-        /** The same; thermal walls draw by [seed]. */
-        internal fun conditions(box: Box, source: String, seed: Long): BoundaryConditions {
+        override fun conditions(
+            box: Box,
+            orbits: OrbitalFrequencies?,
+            check: ValueCheck,
+            seed: Long,
+        ): BoundaryConditions {
             val known = (axes.isNotEmpty() || surfaces.isNotEmpty()) &&
                 axes.all { it in AXES } &&
                 axes.toSet().size == axes.length
-            val check = ValueCheck(source)
             check.that("boundary.axes", axes, known) { "must name axes, such as xyz or z" }
             check.fraction("boundary.restitution", restitution)
             val named = axes.toList().filter { AXES.indexOf(it) < box.space.dimensions }
             check.that("boundary.axes", axes, named.isNotEmpty() || surfaces.isNotEmpty()) {
                 "must name x, y or both, with dimensions 2"
             }
-            val shapes = surfaces.mapIndexed { k, it -> it.surface("${WallSurfaceSpec.KEY}[$k]", check) }
+            val shapes = surfaces.mapIndexed { k, it -> it.surface("$SURFACES[$k]", check) }
             val inSpace = named.filter { !isEnclosed(AXES.indexOf(it), box, shapes) }.joinToString("")
             val walled = BooleanArray(AXES.length) { AXES[it] in inSpace }
             checkShapes(shapes, walled, box, check)
@@ -108,7 +158,7 @@ public sealed interface BoundarySpec {
                 }
             }
             val walls = daphnis.core.boundary.Walls(box, restitution, walled, rough, own, seed, shapes)
-            check.must(WallSurfaceSpec.KEY, walls.volume > 0) { "leave no room in the box" }
+            check.must(SURFACES, walls.volume > 0) { "leave no room in the box" }
             return walls
         }
 
@@ -118,7 +168,7 @@ public sealed interface BoundarySpec {
         /** Along an axis without walls the box repeats, and a surface must repeat with it. */
         private fun checkShapes(shapes: List<WallSurface>, walled: BooleanArray, box: Box, check: ValueCheck) {
             for ((k, shape) in shapes.withIndex()) {
-                val key = "${WallSurfaceSpec.KEY}[$k]"
+                val key = "$SURFACES[$k]"
                 check.must(key, !box.space.isPlane || shape.isSameAlong(2)) {
                     "is not the same everywhere along z; with dimensions 2 take a cylinder along z, or a plane along it"
                 }
@@ -149,8 +199,15 @@ public sealed interface BoundarySpec {
     @Serializable
     @SerialName("sheared-periodic")
     public class ShearedPeriodic(public val velocityJump: Double) : BoundarySpec {
-        override fun conditions(box: Box, frequencies: OrbitalFrequencies?, source: String): BoundaryConditions {
-            ValueCheck(source).speed("boundary.velocityJump", velocityJump)
+        override val drives: Boolean get() = velocityJump != 0.0
+
+        override fun conditions(
+            box: Box,
+            orbits: OrbitalFrequencies?,
+            check: ValueCheck,
+            seed: Long,
+        ): BoundaryConditions {
+            check.speed("boundary.velocityJump", velocityJump)
             return daphnis.core.boundary.ShearedPeriodic(box, velocityJump)
         }
 
@@ -162,9 +219,15 @@ public sealed interface BoundarySpec {
 
     @Serializable
     @SerialName("lees-edwards")
-    public class LeesEdwards(public val shearRate: Double) : BoundarySpec {
-        override fun conditions(box: Box, frequencies: OrbitalFrequencies?, source: String): BoundaryConditions =
-            daphnis.core.boundary.LeesEdwards(box, shearRate)
+    public class LeesEdwards(override val shearRate: Double) : BoundarySpec {
+        override val drives: Boolean get() = shearRate != 0.0
+
+        override fun conditions(
+            box: Box,
+            orbits: OrbitalFrequencies?,
+            check: ValueCheck,
+            seed: Long,
+        ): BoundaryConditions = daphnis.core.boundary.LeesEdwards(box, shearRate)
 
         override fun inWords(number: DoubleFunction<String>, speed: DoubleFunction<String>): String =
             "$this, shear rate ${number.apply(shearRate)} per unit of time"
@@ -176,10 +239,17 @@ public sealed interface BoundarySpec {
     @Serializable
     @SerialName("hill-sheet")
     public class HillSheet @JvmOverloads constructor(public val radiallyOpen: Boolean = false) : BoundarySpec {
-        override fun conditions(box: Box, frequencies: OrbitalFrequencies?, source: String): BoundaryConditions {
-            val orbits =
-                frequencies ?: ValueCheck(source).fail("boundary", "is a hill-sheet; it needs a frame of type hill")
-            return daphnis.core.hill.HillSheet(box, orbits, radiallyOpen)
+        override val isSheet: Boolean get() = !radiallyOpen
+        override val drives: Boolean get() = true
+
+        override fun conditions(
+            box: Box,
+            orbits: OrbitalFrequencies?,
+            check: ValueCheck,
+            seed: Long,
+        ): BoundaryConditions {
+            val around = orbits ?: check.fail("boundary", "is a hill-sheet; it needs a frame of type hill")
+            return daphnis.core.hill.HillSheet(box, around, radiallyOpen)
         }
 
         override fun inWords(number: DoubleFunction<String>, speed: DoubleFunction<String>): String =

@@ -65,7 +65,7 @@ internal class GrowthSetup(private val scenario: Scenario, private val check: Va
             }
         }
         fun need(isMet: Boolean, what: String) = check.must("growth", isMet) { "needs $what" }
-        need(scenario.boundary is BoundarySpec.Periodic, "boundary periodic, and has ${scenario.boundary}")
+        need(scenario.boundary.repeatsAtRest, "boundary periodic, and has ${scenario.boundary}")
         need(scenario.frame == null, "a frame that does not turn, and so no frame")
         need(scenario.forces.isEmpty(), "spheres on which no force acts")
         val laws = scenario.contacts.mapNotNull { it.restitution } + scenario.restitution

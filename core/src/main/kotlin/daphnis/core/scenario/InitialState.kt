@@ -92,7 +92,7 @@ internal class InitialState(
         for ((k, surface) in boundary.surfaces.withIndex()) {
             val most = radii.max()
             val fits = surface.side == RoomSide.OUTSIDE || surface.radius > most
-            check.that("${WallSurfaceSpec.KEY}[$k].radius", surface.radius, fits) {
+            check.that("$SURFACES[$k].radius", surface.radius, fits) {
                 "must exceed that of the largest sphere, $most"
             }
         }

@@ -87,7 +87,7 @@ public interface ScenarioParts {
      * rest that repeats, at least along some axes; null for other systems.
      */
     public val restitutionAtRest: Double? get() {
-        val isAtRest = boundary is BoundarySpec.Periodic && frame == null && growth == null
+        val isAtRest = boundary.repeatsAtRest && frame == null && growth == null
         if (!isAtRest || forces.isNotEmpty() || bodies.isNotEmpty()) return null
         val coefficients = impacts.map { impact ->
             impact.restitution!!.constant?.takeIf { impact.roughness?.isSmooth != false }

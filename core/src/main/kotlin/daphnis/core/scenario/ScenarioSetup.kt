@@ -195,9 +195,7 @@ public class ScenarioSetup private constructor(
          */
         private fun defaultGuard(scenario: Scenario): GuardSpec {
             val laws = scenario.contacts.mapNotNull { it.restitution } + scenario.restitution
-            val walls = scenario.boundary as? BoundarySpec.Walls
-            val hasPlastic = walls?.surfaces?.any { (it.restitution ?: walls.restitution) < 1 } ?: false
-            val mayCollapse = hasPlastic || laws.any { it.atRest < 1 }
+            val mayCollapse = scenario.boundary.mayCollapse || laws.any { it.atRest < 1 }
             return if (mayCollapse) GuardSpec.FloorSpeed(relative = DEFAULT_FLOOR) else GuardSpec.None()
         }
 

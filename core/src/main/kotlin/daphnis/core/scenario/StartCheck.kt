@@ -95,7 +95,7 @@ internal class StartCheck(
 
     private fun checkSurfaces() {
         for ((n, surface) in boundary.surfaces.withIndex()) {
-            val key = "${WallSurfaceSpec.KEY}[$n]"
+            val key = "$SURFACES[$n]"
             walls.checkDigits(key, surface)
             for (k in 0 until population.size) {
                 val p = population

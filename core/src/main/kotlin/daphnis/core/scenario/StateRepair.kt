@@ -99,7 +99,7 @@ internal class StateRepair(
                 check.fail(
                     "placement",
                     "particle ${p.id[k]} with radius $r reaches out of the room, beyond " +
-                        "${WallSurfaceSpec.KEY}[$n], by ${shown(into)} of its radius$wayOut",
+                        "$SURFACES[$n], by ${shown(into)} of its radius$wayOut",
                 )
             }
         }

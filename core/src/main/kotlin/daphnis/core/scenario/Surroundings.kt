@@ -41,12 +41,7 @@ public class Surroundings private constructor(
             val frequencies = FrameSetup.frequencies(scenario, source)
             checkEnd(scenario, times.end, check)
             val box = box(scenario, check)
-            val spec = scenario.boundary
-            val boundary = if (spec is BoundarySpec.Walls) {
-                spec.conditions(box, source, scenario.seed)
-            } else {
-                spec.conditions(box, frequencies, source)
-            }
+            val boundary = scenario.boundary.conditions(box, frequencies, check, scenario.seed)
             FrameSetup.checkFaces(scenario, boundary, frequencies, check)
             val around = GrowthSetup(scenario, check).boundary(boundary, box)
             return Surroundings(box, around, frequencies, times.end, times.timeStep)

@@ -35,7 +35,7 @@ internal class WallCheck(
     /** The motions of surfaces in a step of [duration]. */
     fun checkSurfaceMotions(duration: Double) {
         for ((n, surface) in boundary.surfaces.withIndex()) {
-            surface.face.motion?.let { checkCycles(it, duration, "${WallSurfaceSpec.KEY}[$n]") }
+            surface.face.motion?.let { checkCycles(it, duration, "$SURFACES[$n]") }
         }
     }
 

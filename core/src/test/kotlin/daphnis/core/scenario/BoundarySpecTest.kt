@@ -3,6 +3,7 @@ package daphnis.core.scenario
 import daphnis.core.Repository
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.everyBoundary
+import daphnis.core.input.ValueCheck
 import daphnis.core.orbit.OrbitalFrequencies
 import kotlinx.serialization.ExperimentalSerializationApi
 import kotlinx.serialization.descriptors.PolymorphicKind
@@ -42,7 +43,12 @@ class BoundarySpecTest {
             val needed = (0 until kind.elementsCount).filterNot { kind.isElementOptional(it) }
                 .joinToString("") { ""","${kind.getElementName(it)}":0.25""" }
             val spec = Json.decodeFromString(BoundarySpec.serializer(), """{"type":"${kind.serialName}"$needed}""")
-            val made = spec.conditions(Box.centred(4.0, 4.0, 4.0), OrbitalFrequencies(1.0), "test")
+            val made = spec.conditions(
+                Box.centred(4.0, 4.0, 4.0),
+                OrbitalFrequencies(1.0),
+                ValueCheck("test"),
+                seed = 0,
+            )
             assertTrue(made.javaClass in contracted) { "${kind.serialName}: $made is not in everyBoundary()" }
             assertTrue("$spec".startsWith(kind.serialName)) { "$spec" }
         }

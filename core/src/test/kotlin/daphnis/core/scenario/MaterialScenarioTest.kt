@@ -207,7 +207,7 @@ class MaterialScenarioTest {
         val one = """contacts=[{"between": ["rock", "ice"], "restitution": {"type": "constant", "coefficient": 0.5}}]"""
         val impacts = scenario(one).impacts
         assertEquals(listOf("ice ice", "ice rock", "rock rock"), impacts.map { it.between.joinToString(" ") })
-        assertEquals(listOf(1.0, 0.5, 1.0), impacts.map { (it.restitution as RestitutionSpec.Constant).coefficient })
+        assertEquals(listOf(1.0, 0.5, 1.0), impacts.map { it.restitution!!.constant })
     }
 
     @Test

@@ -137,8 +137,8 @@ class PistonScenarioTest {
         }
         start(2, run, """"type": "steady", "velocity": 0.1""").close()
         start(3, run("steady", """"type": "steady", "velocity": 0"""), """$plain, "position": 0.5""").close()
-        val written = ScenarioJson.read(home.resolve("3/scenario.json")).boundary as BoundarySpec.Walls
-        assertEquals(0.5, written.faces!!.pistons.getValue(1).position)
+        val written = ScenarioJson.read(home.resolve("3/scenario.json")).boundary
+        assertEquals(0.5, written.pistons.getValue(1)[0])
     }
 
     @Test

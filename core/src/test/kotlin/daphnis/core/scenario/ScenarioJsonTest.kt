@@ -1,6 +1,7 @@
 package daphnis.core.scenario
 
 import daphnis.core.input.InputException
+import daphnis.core.surface.BridgesSpec
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertThrows
@@ -76,7 +77,7 @@ class ScenarioJsonTest {
         assertEquals(0.05, (s.timeStep as TimeStepSpec.Fixed).dt)
         assertEquals("my gas", s.name)
         assertEquals(7, s.output.snapshotEvery)
-        assertEquals(0.34, (s.restitution as RestitutionSpec.Bridges).prefactor)
+        assertEquals(0.34, (s.restitution as BridgesSpec).prefactor)
         assertEquals(42L, s.seed)
     }
 

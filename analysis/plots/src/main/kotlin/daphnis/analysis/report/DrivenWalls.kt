@@ -1,9 +1,6 @@
 package daphnis.analysis.report
 
-import daphnis.core.scenario.BoundarySpec
 import daphnis.core.scenario.Scenario
-import daphnis.core.scenario.TimeStepSpec
-import daphnis.core.scenario.WallMotionSpec
 import kotlin.math.abs
 import kotlin.math.round
 
@@ -19,9 +16,7 @@ internal object DrivenWalls {
 
     /** One line for each output that always falls into the same part of the cycle of a wall. */
     fun inStep(scenario: Scenario): List<String> {
-        val faces = (scenario.boundary as? BoundarySpec.Walls)?.faces ?: return emptyList()
-        val all = listOf(faces.lowerX, faces.upperX, faces.lowerY, faces.upperY, faces.lowerZ, faces.upperZ)
-        val frequencies = all.mapNotNull { frequency(it?.motion) }.distinct()
+        val frequencies = scenario.boundary.frequencies
         val output = scenario.output
         val step = scenario.timeStep.dt ?: Double.NaN
         val intervals = listOf(
@@ -43,13 +38,6 @@ internal object DrivenWalls {
     }
 
     private fun isWhole(cycles: Double) = round(cycles) >= 1 && abs(cycles - round(cycles)) < WHOLE
-
-    private fun frequency(motion: WallMotionSpec?): Double? = when (motion) {
-        is WallMotionSpec.Sine -> motion.frequency
-        is WallMotionSpec.Sawtooth -> motion.frequency
-        is WallMotionSpec.BiParabolic -> motion.frequency
-        is WallMotionSpec.Steady, is WallMotionSpec.Piston, null -> null
-    }
 
     private const val WHOLE = 1e-3
 }

@@ -2,7 +2,6 @@ package daphnis.analysis.report
 
 import daphnis.analysis.input.AnalysisInput
 import daphnis.core.population.granularTemperature
-import daphnis.core.scenario.BoundarySpec
 import daphnis.core.scenario.GuardSpec
 import daphnis.core.scenario.Scenario
 import java.nio.file.Files
@@ -40,14 +39,6 @@ internal object FreeCooling {
 
     /** An acceleration that is the same everywhere heats nothing; gravity of spheres can. */
     private fun isDriven(scenario: Scenario): Boolean = scenario.frame != null ||
-        isBoundaryDriving(scenario.boundary) ||
+        scenario.boundary.drives ||
         scenario.forces.any { it.heats }
-
-    private fun isBoundaryDriving(boundary: BoundarySpec): Boolean = when (boundary) {
-        is BoundarySpec.LeesEdwards -> boundary.shearRate != 0.0
-        is BoundarySpec.ShearedPeriodic -> boundary.velocityJump != 0.0
-        is BoundarySpec.HillSheet -> true
-        is BoundarySpec.Walls -> WallDrive.isSeen(boundary)
-        is BoundarySpec.Open, is BoundarySpec.Periodic -> false
-    }
 }

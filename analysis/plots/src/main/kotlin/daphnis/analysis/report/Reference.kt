@@ -3,7 +3,6 @@ package daphnis.analysis.report
 import daphnis.analysis.insitu.State
 import daphnis.analysis.theory.HeatedGas
 import daphnis.core.orbit.OrbitalFrequencies
-import daphnis.core.scenario.BoundarySpec
 import daphnis.core.scenario.Scenario
 import daphnis.core.surface.BridgesSpec
 import kotlin.math.abs
@@ -73,12 +72,11 @@ internal object References {
         orbits: OrbitalFrequencies,
         opticalDepth: Double,
     ): Map<String, Reference> {
-        val sheet = scenario.boundary as? BoundarySpec.HillSheet ?: return emptyMap()
         if (!isPlain(scenario, last)) return emptyMap()
         val speed = last.population.radius[0] * orbits.omega * scenario.units.speedInCmPerSecond
         val same =
             scenario.restitution == BridgesSpec(0.34, -0.234) &&
-                !sheet.radiallyOpen &&
+                scenario.boundary.isSheet &&
                 orbits.radialFactor == 1.0 &&
                 orbits.verticalFactor == 1.0 &&
                 abs(speed / 0.01948 - 1) < SAME_SCALE
@@ -92,7 +90,7 @@ internal object References {
     /** Of a Lees–Edwards box, in the units of its table. */
     fun ofShear(scenario: Scenario, last: State, filling: Double): Map<String, Reference> {
         val restitution = scenario.restitution.constant ?: return emptyMap()
-        val isSheared = scenario.boundary is BoundarySpec.LeesEdwards && scenario.frame == null
+        val isSheared = scenario.boundary.shearRate != null
         if (!isSheared || !isPlain(scenario, last)) return emptyMap()
         if (last.dimensions != 3) return emptyMap()
         val row = SHEARED.find { it[0] == restitution && abs(filling / it[1] - 1) < 0.01 } ?: return emptyMap()
@@ -107,7 +105,7 @@ internal object References {
     fun ofHeated(scenario: Scenario, last: State, numberDensity: Double): Map<String, Reference> {
         val restitution = scenario.restitution.constant ?: return emptyMap()
         val noise = scenario.forces.singleOrNull()?.noise ?: return emptyMap()
-        val isPeriodic = scenario.boundary is BoundarySpec.Periodic && (0..2).all { last.boundary.repeats(it) }
+        val isPeriodic = scenario.boundary.repeatsAtRest && (0..2).all { last.boundary.repeats(it) }
         if (!isPeriodic || scenario.frame != null || restitution < LEAST_HEATED) return emptyMap()
         if (!isPlain(scenario, last, forces = 1)) return emptyMap()
         val intensity = noise.intensity(last.population.mass[0])

@@ -65,8 +65,7 @@ internal class RunParameters(private val input: AnalysisInput, private val last:
         return words.map { (name, text) -> name to if (name == "boundary") around(scenario, text) else text } + units
     }
 
-    private fun around(scenario: Scenario, boundary: String) =
-        if (scenario.boundary is BoundarySpec.Open) "open$AROUND" else boundary
+    private fun around(scenario: Scenario, boundary: String) = if (scenario.boundary.isOpen) "open$AROUND" else boundary
 
     /** Without a length nothing is known in SI units but speeds and, for what it is worth, masses. */
     private fun units(scenario: Scenario): String {

@@ -1,0 +1,62 @@
+package daphnis.core.scenario
+
+import daphnis.core.boundary.WallSurface
+import daphnis.core.input.ValueCheck
+import kotlinx.serialization.SerialName
+import kotlinx.serialization.Serializable
+import java.util.function.DoubleFunction
+import kotlin.math.PI
+
+/**
+ * @property room where the spheres are: outside, it is a body that is fixed, or moves as told
+ * @property angularVelocity with which it turns, radians per unit of time, along x, y, z
+ * @property along direction of its [motion]
+ */
+@Serializable
+@SerialName("sphere")
+public class SphereWallSpec @JvmOverloads constructor(
+    public val radius: Double,
+    public val centre: List<Double> = NOWHERE,
+    public val room: RoomName = RoomName.INSIDE,
+    override val restitution: Double? = null,
+    override val roughness: RoughnessSpec? = null,
+    override val temperature: Double? = null,
+    public val angularVelocity: List<Double> = NOWHERE,
+    override val motion: WallMotionSpec? = null,
+    public val along: List<Double> = listOf(0.0, 0.0, 1.0),
+) : WallSurfaceSpec {
+    override val slides: Boolean get() = angularVelocity.any { it != 0.0 }
+
+    override fun surface(key: String, check: ValueCheck): WallSurface {
+        val its = WallTraits(this, key, check)
+        check.extent("$key.radius", radius)
+        its.vector("angularVelocity", angularVelocity).forEachIndexed { k, it ->
+            check.speed("$key.angularVelocity[$k]", it * radius)
+        }
+        check.must("$key.motion", motion == null || room == RoomName.OUTSIDE && motion.isSmooth) {
+            "is of a sphere with the room outside, and steady or a sine"
+        }
+        val (at, way) = its.vector("centre", centre) to its.direction("along", along)
+        return WallSurface.Sphere(at, radius, room.side, its.face, its.roughness, angularVelocity, way)
+    }
+
+    override fun extent(axis: Int): ClosedFloatingPointRange<Double>? = around(centre[axis], radius, room)
+
+    /** Great circles. */
+    override fun curves(corners: List<DoubleArray>, displacement: Double): List<SurfaceCurve> {
+        val way = unit(along)
+        val middle = DoubleArray(AXES) { centre[it] + displacement * way[it] }
+        return (0 until AXES).map { axis ->
+            val (u, v) = across(DoubleArray(AXES) { if (it == axis) 1.0 else 0.0 })
+            SurfaceCurve { t -> onCircle(middle, u, v, radius, 2 * PI * t) }
+        }
+    }
+
+    override fun named(length: (Double) -> String): String = "sphere of radius ${length(radius)}" +
+        (if (motion != null) " that moves" else "") + (if (slides) " that turns" else "") + outside(room)
+
+    override fun inWords(number: DoubleFunction<String>): String =
+        "sphere of radius ${number.apply(radius)}" + place(centre, room, number) + traits(number) +
+            (motion?.let { ", ${it.inWords(number)} along ${number.all(along)}" } ?: "") +
+            if (slides) ", turns with ${number.all(angularVelocity)}" else ""
+}
