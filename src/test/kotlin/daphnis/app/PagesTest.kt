@@ -11,6 +11,7 @@ import kotlin.io.path.extension
 import kotlin.io.path.name
 import kotlin.io.path.readLines
 import kotlin.io.path.readText
+import kotlin.io.path.useLines
 
 /** That readers find their way in the documentation. */
 class PagesTest {
@@ -31,6 +32,10 @@ class PagesTest {
     /** As those who show the pages make anchors of headings. */
     private fun anchor(heading: String): String =
         heading.lowercase().filter { it.isLetterOrDigit() || it in " -_" }.replace(' ', '-')
+
+    /** Numbers of decisions that were overtaken. */
+    private val history: List<Int> =
+        headings(decisions.resolve("history.md"), 3).map { it.removePrefix("ADR ").toInt() }
 
     @Test
     fun `long pages begin with links to all their sections`() {
@@ -68,17 +73,52 @@ class PagesTest {
     @Test
     fun `the index of decisions has each of them once, and says which were overtaken`() {
         val index = decisions.resolve("README.md").readLines()
-        for (page in pages(decisions).filter { it.name != "README.md" }) {
+        for (page in pages(decisions).filter { DECISION.containsMatchIn(it.name) }) {
             val lines = index.filter { "](${page.name})" in it }
             assertEquals(1, lines.size) { page.name }
+            val heading = page.useLines { it.first() }.removePrefix("# ")
+            assertTrue(lines.single().startsWith("- [$heading](")) { "$heading is otherwise in the index" }
             val head = page.readLines().take(4).joinToString("\n")
             val isOvertaken = "**Overtaken**" in head || "Replaced by" in head
             assertEquals(isOvertaken, "(overtaken" in lines.single()) { page.name }
         }
+        val listed = Regex("""\[(\d+)]\(history\.md#adr-\1\)""").findAll(index.joinToString("\n"))
+        assertEquals(history.sorted(), listed.map { it.groupValues[1].toInt() }.toList())
+    }
+
+    @Test
+    fun `every decision that is cited by its number is there`() {
+        val numbers = pages(decisions).mapNotNull { DECISION.find(it.name)?.value?.toInt() }
+        assertEquals(emptyList<Int>(), numbers.filter { it in history }) { "decisions that are there and overtaken" }
+        val known = (numbers + history).toSet()
+        var cited = 0
+        val sources = SOURCES.flatMap { folder ->
+            Files.walk(Repository.root.resolve(folder)).use { all ->
+                all.filter { it.extension in setOf("kt", "java", "py", "sh", "js") }.toList()
+            }
+        }
+        val wrong = (sources + Page.all.map { it.path }).flatMap { file ->
+            val named = CITED.findAll(file.readText()).flatMap { Regex("""\d+""").findAll(it.value) }
+                .map { it.value.toInt() }.toList()
+            cited += named.size
+            named.filterNot { it in known }.map { "${file.name}: $it" }
+        }
+        assertEquals("", wrong.joinToString("\n"))
+        assertTrue(cited > 200) { "only $cited" }
     }
 
     private companion object {
         /** Words from which on a page is long. */
         const val LONG = 1500
+
+        /** Name of the file of a decision that holds. */
+        val DECISION = Regex("""^\d{4}(?=-)""")
+
+        /** One or several decisions, as `ADR 31`, `ADRs 5 and 7` or the name of a file. */
+        val CITED = Regex("""\bADRs?\s+\d+(?:(?:,\s+|\s+and\s+)\d+(?![\d.]))*|\badr/\d{4}""")
+
+        /** Where decisions are cited besides in pages. */
+        val SOURCES =
+            listOf("core/src", "actors/src", "analysis/src", "analysis/plots/src", "bench/src", "src", "python/src")
     }
 }

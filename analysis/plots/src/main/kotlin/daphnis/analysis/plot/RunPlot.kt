@@ -11,7 +11,7 @@ import java.nio.file.Path
 
 /**
  * The plot at the end of a run: granular temperature, and collisions per particle and unit of time, over time. Drawn
- * without the plotting library, whose first picture takes longer than a short run (ADR 25). Needs no display.
+ * without the plotting library, whose first picture takes longer than a short run (ADR 126). Needs no display.
  */
 public object RunPlot {
     /**
