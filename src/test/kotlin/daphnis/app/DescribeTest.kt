@@ -196,7 +196,7 @@ class DescribeTest {
             said("""{"type":"table","points":[[0.5,0.9],[1.5,0.5],[3,0.1]]}"""),
         )
         assertEquals(
-            "viscoelastic; of two spheres of radius 0.5 length units and mass 1 mass unit: 0.800 $speed, 0.822 at 1 cm/s",
+            "viscoelastic, 0.8 at 2 cm/s; of two of radius 0.5 length units and mass 1 mass unit: 0.800 $speed, 0.822 at 1 cm/s",
             said("""{"type":"viscoelastic","coefficient":0.8,"speed":2}"""),
         )
     }

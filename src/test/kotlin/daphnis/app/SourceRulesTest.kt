@@ -41,6 +41,23 @@ class SourceRulesTest {
         assertTrue(sources("src/main/kotlin").any { file -> file.readLines().any { flag.containsMatchIn(it) } })
     }
 
+    /**
+     * What others ask of an ingredient of a scenario it says itself, see docs/adding.md, so that the next one is known
+     * everywhere. Its own file may compare it with others.
+     */
+    @Test
+    fun `nobody asks of what kind an ingredient is`() {
+        val asks = Regex("""(?:\b(?:!?is|as\??)\s+|filterIsInstance<)((?:\w+\.)*?(\w+Spec)\b)""")
+        val asking = (modules.map { "$it/src/main/kotlin" } + "src/main/kotlin").flatMap(::sources).flatMap { file ->
+            val lines = file.readLines().filterNot { it.trimStart().startsWith("*") || it.trimStart().startsWith("/") }
+            val own = lines.mapNotNull { Regex("""(?:class|interface) (\w+Spec)\b""").find(it)?.groupValues?.get(1) }
+            lines.flatMap { asks.findAll(it.substringBefore(" // ")) }.map { it.groupValues[2] }.filter { it !in own }
+                .map { "${file.name}: $it" }
+        }
+        assertEquals(emptyList<String>(), asking)
+        assertTrue(asks.containsMatchIn("is ForceSpec.Drag ->") && asks.containsMatchIn("as? WallSpec"))
+    }
+
     @Test
     fun `no line of prose is longer than 120 characters`() {
         val folders = listOf("docs", "docs/adr").map { Repository.root.resolve(it) }

@@ -1,10 +1,10 @@
 package daphnis.core.run
 
+import daphnis.core.collision.GuardSpec
 import daphnis.core.format.Snapshot
 import daphnis.core.format.reasonOf
 import daphnis.core.input.InputException
 import daphnis.core.scenario.ClockSpec
-import daphnis.core.scenario.GuardSpec
 import daphnis.core.scenario.PlacementSpec
 import daphnis.core.scenario.Scenario
 import daphnis.core.scenario.Surroundings

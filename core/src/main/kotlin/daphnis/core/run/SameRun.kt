@@ -2,9 +2,9 @@
 
 package daphnis.core.run
 
+import daphnis.core.collision.GuardSpec
 import daphnis.core.input.InputException
 import daphnis.core.input.ValueCheck
-import daphnis.core.scenario.GuardSpec
 import daphnis.core.scenario.OutputTimesCheck
 import daphnis.core.scenario.PlacementSpec
 import daphnis.core.scenario.Scenario

@@ -4,6 +4,7 @@ import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.hasRoughWalls
 import daphnis.core.initial.GaussianVelocities
 import daphnis.core.initial.SeededRandom
+import daphnis.core.initial.SpinsSpec
 import daphnis.core.input.ValueCheck
 import daphnis.core.population.Population
 import kotlin.math.abs

@@ -1,6 +1,8 @@
 package daphnis.core.scenario
 
+import daphnis.core.initial.SizesSpec
 import daphnis.core.surface.RestitutionSpec
+import daphnis.core.surface.RoughnessSpec
 import kotlinx.serialization.Serializable
 
 /**

@@ -1,6 +1,7 @@
 package daphnis.core.scenario
 
 import daphnis.core.Clock
+import daphnis.core.collision.GuardSpec
 
 /**
  * A [Scenario] in which everything that its author left open is decided. A run directory holds it, so that it always

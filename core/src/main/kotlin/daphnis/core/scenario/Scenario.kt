@@ -1,14 +1,19 @@
 package daphnis.core.scenario
 
 import daphnis.core.Engines
+import daphnis.core.collision.GuardSpec
 import daphnis.core.engine.EngineFactory
 import daphnis.core.force.ForceSpec
+import daphnis.core.initial.SizesSpec
+import daphnis.core.initial.SpinsSpec
+import daphnis.core.initial.VelocitiesSpec
 import daphnis.core.input.Planet
 import daphnis.core.input.UnitsSpec
 import daphnis.core.parallel.ThreadHandler
 import daphnis.core.search.SearchStructure
 import daphnis.core.space.Space
 import daphnis.core.surface.RestitutionSpec
+import daphnis.core.surface.RoughnessSpec
 import kotlinx.serialization.EncodeDefault
 import kotlinx.serialization.ExperimentalSerializationApi
 import kotlinx.serialization.SerialName

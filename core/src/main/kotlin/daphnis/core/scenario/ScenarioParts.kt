@@ -2,10 +2,13 @@ package daphnis.core.scenario
 
 import daphnis.core.Clock
 import daphnis.core.force.ForceSpec
+import daphnis.core.initial.SpinsSpec
+import daphnis.core.initial.VelocitiesSpec
 import daphnis.core.input.UnitsSpec
 import daphnis.core.search.SearchStructure
 import daphnis.core.space.Space
 import daphnis.core.surface.RestitutionSpec
+import daphnis.core.surface.RoughnessSpec
 
 /** What a scenario as its author wrote it ([Scenario]) and as a run has it ([ResolvedScenario]) have in common. */
 public interface ScenarioParts {

@@ -8,6 +8,7 @@ import daphnis.core.TimeStep
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.hasPistons
 import daphnis.core.collision.CollapseGuard
+import daphnis.core.collision.GuardSpec
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.engine.SerialEngine

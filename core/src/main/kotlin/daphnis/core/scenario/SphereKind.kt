@@ -1,6 +1,7 @@
 package daphnis.core.scenario
 
 import daphnis.core.initial.SizeDistribution
+import daphnis.core.initial.SizesSpec
 import daphnis.core.input.ValueCheck
 import daphnis.core.space.Space
 

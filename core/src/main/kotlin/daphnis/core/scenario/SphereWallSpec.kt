@@ -2,6 +2,7 @@ package daphnis.core.scenario
 
 import daphnis.core.boundary.WallSurface
 import daphnis.core.input.ValueCheck
+import daphnis.core.surface.RoughnessSpec
 import kotlinx.serialization.SerialName
 import kotlinx.serialization.Serializable
 import java.util.function.DoubleFunction

@@ -7,6 +7,7 @@ import daphnis.core.input.Kind
 import daphnis.core.input.Kinds
 import daphnis.core.input.ValueCheck
 import daphnis.core.surface.Roughness
+import daphnis.core.surface.RoughnessSpec
 import kotlinx.serialization.SerialName
 import kotlinx.serialization.Serializable
 import java.util.function.DoubleFunction

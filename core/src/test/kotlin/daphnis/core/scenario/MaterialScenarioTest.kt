@@ -1,5 +1,6 @@
 package daphnis.core.scenario
 
+import daphnis.core.collision.GuardSpec
 import daphnis.core.input.InputException
 import daphnis.core.population.Population
 import daphnis.core.surface.ConstantRestitution

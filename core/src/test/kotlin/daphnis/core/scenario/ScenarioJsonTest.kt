@@ -1,5 +1,6 @@
 package daphnis.core.scenario
 
+import daphnis.core.collision.GuardSpec
 import daphnis.core.input.InputException
 import daphnis.core.surface.BridgesSpec
 import org.junit.jupiter.api.Assertions.assertEquals

@@ -1,6 +1,7 @@
 package daphnis.core.scenario
 
 import daphnis.core.boundary.planesApart
+import daphnis.core.collision.GuardSpec
 import daphnis.core.input.InputException
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows

@@ -1,8 +1,8 @@
 package daphnis.analysis.report
 
 import daphnis.analysis.insitu.State
-import daphnis.core.scenario.RoughnessSpec
 import daphnis.core.scenario.Scenario
+import daphnis.core.surface.RoughnessSpec
 import kotlin.math.abs
 
 /** The one kind of gas whose numbers theory knows: elastic spheres of one size and mass, at rest, filling all space. */

@@ -1,8 +1,8 @@
 package daphnis.analysis.report
 
 import daphnis.analysis.input.AnalysisInput
+import daphnis.core.collision.GuardSpec
 import daphnis.core.population.granularTemperature
-import daphnis.core.scenario.GuardSpec
 import daphnis.core.scenario.Scenario
 import java.nio.file.Files
 import kotlin.math.ln

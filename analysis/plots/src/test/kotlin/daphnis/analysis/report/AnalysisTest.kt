@@ -10,11 +10,11 @@ import daphnis.core.format.ExtendedXyz
 import daphnis.core.format.FormatException
 import daphnis.core.format.H5md
 import daphnis.core.format.Snapshot
+import daphnis.core.initial.SizesSpec
 import daphnis.core.input.InputException
 import daphnis.core.input.WayOut
 import daphnis.core.run.Run
 import daphnis.core.scenario.BuiltIn
-import daphnis.core.scenario.SizesSpec
 import daphnis.core.scenario.Surroundings
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals

@@ -1,9 +1,5 @@
-package daphnis.core.scenario
+package daphnis.core.collision
 
-import daphnis.core.collision.CollapseGuard
-import daphnis.core.collision.ContactDurationGuard
-import daphnis.core.collision.FloorSpeedGuard
-import daphnis.core.collision.NoGuard
 import daphnis.core.input.Quantities
 import daphnis.core.input.ValueCheck
 import kotlinx.serialization.SerialName

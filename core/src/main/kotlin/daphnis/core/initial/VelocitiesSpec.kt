@@ -1,9 +1,7 @@
-package daphnis.core.scenario
+package daphnis.core.initial
 
-import daphnis.core.initial.GaussianVelocities
-import daphnis.core.initial.SeededRandom
-import daphnis.core.initial.UniformVelocities
 import daphnis.core.input.ValueCheck
+import daphnis.core.scenario.all
 import kotlinx.serialization.SerialName
 import kotlinx.serialization.Serializable
 import kotlin.math.sqrt

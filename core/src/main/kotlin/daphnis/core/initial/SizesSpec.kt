@@ -1,10 +1,6 @@
-package daphnis.core.scenario
+package daphnis.core.initial
 
-import daphnis.core.initial.EqualSizes
-import daphnis.core.initial.ListedSizes
-import daphnis.core.initial.LogNormalSizes
-import daphnis.core.initial.PowerLawSizes
-import daphnis.core.initial.SizeDistribution
+import daphnis.core.scenario.all
 import kotlinx.serialization.SerialName
 import kotlinx.serialization.Serializable
 
