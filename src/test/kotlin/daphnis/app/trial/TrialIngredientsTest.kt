@@ -1,5 +1,6 @@
 package daphnis.app.trial
 
+import daphnis.core.Repository
 import daphnis.core.input.Ingredients
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -9,6 +10,7 @@ import org.junit.jupiter.api.io.TempDir
 import java.io.File
 import java.nio.file.Files
 import java.nio.file.Path
+import kotlin.io.path.name
 import kotlin.math.abs
 import kotlin.math.exp
 
@@ -73,7 +75,7 @@ class TrialIngredientsTest {
         assertEquals(digest, digest("thread-pool"))
         // Elastic collisions keep the energy, and the drag takes e^−2γt of it.
         val rows = Files.readAllLines(home.resolve("serial/series.csv"))
-        val energy = rows[0].split(',').indexOf("kinetic_energy")
+        val energy = rows[0].split(',').indexOfFirst { it.startsWith("kinetic_energy") }
         fun energyOf(row: String) = row.split(',')[energy].toDouble()
         assertTrue(abs(energyOf(rows.last()) / energyOf(rows[1]) - exp(-1.0)) < 1e-9) { rows.last() }
         done("run", "blown.json", "--until", "3", "--out", "half")
@@ -112,5 +114,23 @@ class TrialIngredientsTest {
         done("run", "sticky.json", "--engine", "serial", "--out", "one")
         done("run", "sticky.json", "--nodes", "2", "--out", "two")
         assertEquals(digest("one"), digest("two"))
+    }
+
+    /** What the page shows is what is compiled here, and the files it names are there. */
+    @Test
+    fun `the page on adding says what is so`() {
+        val page = Files.readString(Repository.root.resolve("docs/adding.md"))
+        val source =
+            Files.readString(Repository.root.resolve("src/test/kotlin/daphnis/app/trial/TrialIngredients.kt"))
+        val blocks = Regex("```kotlin\n(.*?)```", RegexOption.DOT_MATCHES_ALL).findAll(page).map { it.groupValues[1] }
+        for (block in blocks) assertTrue(block in source) { block }
+        val names = Regex("`(\\w+\\.kt)`").findAll(page).map { it.groupValues[1] }.toSet()
+        assertTrue(names.size > 10) { "$names" }
+        val files = listOf("core", "analysis/plots").flatMap { module ->
+            Files.walk(Repository.root.resolve("$module/src/main")).use { all -> all.map { it.name }.toList() }
+        }
+        assertEquals(emptySet<String>(), names - files.toSet())
+        val kinds = Regex("`(\\w+Kinds)`").findAll(page).map { it.groupValues[1] }.toSet()
+        assertEquals(setOf("ForceKinds", "RestitutionKinds", "WallSurfaceKinds"), kinds)
     }
 }
