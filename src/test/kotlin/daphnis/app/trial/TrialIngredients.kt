@@ -66,3 +66,8 @@ class AdhesiveSpec(val coefficient: Double, val threshold: Double) : Restitution
     override fun inWords(say: Quantities): String =
         "adhesive, ${number(coefficient)} far above ${number(threshold)} cm/s, 0 below"
 }
+
+/** A second library with a drag. */
+class TwiceDrag : Ingredients {
+    override val kinds: List<Kind<*>> = listOf(Kind(DragSpec::class, DragSpec.serializer()))
+}

@@ -116,6 +116,21 @@ class TrialIngredientsTest {
         assertEquals(digest("one"), digest("two"))
     }
 
+    @Test
+    fun `a library that cannot be used is one line`() {
+        val services = home.resolve("library/META-INF/services/${Ingredients::class.qualifiedName}")
+        for ((name, why) in listOf(
+            "nobody.Knows" to "nobody.Knows not found",
+            TwiceDrag::class.qualifiedName to "'drag'",
+        )) {
+            Files.writeString(services, "$name\n${TrialIngredients::class.qualifiedName}")
+            val said = typed("describe", "blown.json")
+            assertEquals(2, said.code) { said.text }
+            assertEquals(1, said.text.trim().lines().size) { said.text }
+            assertTrue(why in said.text) { said.text }
+        }
+    }
+
     /** What the page shows is what is compiled here, and the files it names are there. */
     @Test
     fun `the page on adding says what is so`() {

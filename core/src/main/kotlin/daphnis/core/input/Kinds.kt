@@ -6,6 +6,7 @@ import kotlinx.serialization.SealedClassSerializer
 import kotlinx.serialization.descriptors.SerialDescriptor
 import kotlinx.serialization.encoding.Decoder
 import kotlinx.serialization.encoding.Encoder
+import java.util.ServiceConfigurationError
 import java.util.ServiceLoader
 import kotlin.reflect.KClass
 
@@ -17,7 +18,14 @@ import kotlin.reflect.KClass
 @OptIn(InternalSerializationApi::class)
 public abstract class Kinds<T : Any>(ingredient: KClass<T>, own: List<Kind<out T>>) : KSerializer<T> {
     private val named by lazy {
-        val all = (own + Ingredients.of(ingredient)).sortedBy { it.serializer.descriptor.serialName }
+        val all = (own + Ingredients.of(ingredient)).sortedBy { it.name }
+        all.zipWithNext().find { (one, next) -> one.name == next.name }?.let { (one, next) ->
+            throw InputException(
+                LIBRARIES,
+                null,
+                "${one.type.java.name} and ${next.type.java.name} are both called '${one.name}'",
+            )
+        }
         val types = Array(all.size) { all[it].type }
         val serializers = Array(all.size) { all[it].serializer }
         SealedClassSerializer(ingredient.simpleName!!, ingredient, types, serializers)
@@ -31,7 +39,9 @@ public abstract class Kinds<T : Any>(ingredient: KClass<T>, own: List<Kind<out T
 }
 
 /** A class that is a kind of an ingredient, with its [serializer], whose serial name is its name in JSON. */
-public class Kind<T : Any>(public val type: KClass<T>, public val serializer: KSerializer<T>)
+public class Kind<T : Any>(public val type: KClass<T>, public val serializer: KSerializer<T>) {
+    internal val name: String get() = serializer.descriptor.serialName
+}
 
 /**
  * Ingredients of a library beside daphnis. It names its implementation in
@@ -42,13 +52,22 @@ public interface Ingredients {
     public val kinds: List<Kind<*>>
 
     public companion object {
-        /** Those of [ingredient] on the class path. */
-        internal fun <T : Any> of(ingredient: KClass<T>): List<Kind<out T>> =
+        /**
+         * Those of [ingredient] on the class path.
+         *
+         * @throws InputException for a library that cannot be used
+         */
+        internal fun <T : Any> of(ingredient: KClass<T>): List<Kind<out T>> = try {
             ServiceLoader.load(Ingredients::class.java).flatMap { it.kinds }
                 .filter { ingredient.java.isAssignableFrom(it.type.java) }
                 .map {
                     @Suppress("UNCHECKED_CAST")
                     it as Kind<out T>
                 }
+        } catch (e: ServiceConfigurationError) {
+            throw InputException(LIBRARIES, null, e.message.orEmpty() + e.cause?.let { " ($it)" }.orEmpty())
+        }
     }
 }
+
+private const val LIBRARIES = "ingredients of libraries"
