@@ -10,3 +10,9 @@ public interface Kinematics {
     /** The mean flow that is driven, or null when there is none. A granular temperature excludes it. */
     public val meanFlow: MeanFlow?
 }
+
+/**
+ * A mean flow along [flowAxis] that changes with the position along [normalAxis] (0 = x, 1 = y, 2 = z), by [rate] per
+ * unit of length where it is uniform: v_x = γ y in Lees–Edwards boxes, v_y = −(3/2) Ω x in Hill's frame.
+ */
+public class MeanFlow(public val normalAxis: Int, public val flowAxis: Int, public val rate: Double)

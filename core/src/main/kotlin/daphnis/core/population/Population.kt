@@ -1,6 +1,7 @@
 package daphnis.core.population
 
 import daphnis.core.population.SphereQuantity.LAST_COLLISION
+import java.util.function.IntPredicate
 
 /**
  * Spheres as a structure of arrays: entry `k` of every array belongs to the sphere with the stable id `id[k]`.
@@ -129,14 +130,11 @@ public class Population internal constructor(
         crossings.add(id[index], axis, boxes)
     }
 
-    /**
-     * Keeps the spheres whose index [keep] accepts, with their ids, and removes the rest. Allocates. For boundaries
-     * that remove spheres.
-     */
-    public fun retain(keep: IndexPredicate) {
+    /** Keeps the spheres whose index [keep] accepts, with their ids, for boundaries that remove the rest. Allocates. */
+    public fun retain(keep: IntPredicate) {
         val kept = IntArray(size)
         var n = 0
-        for (k in 0 until size) if (keep.accepts(k)) kept[n++] = k
+        for (k in 0 until size) if (keep.test(k)) kept[n++] = k
         if (n == size) return
         sets.replace(PopulationColumns.picked(now, kept.copyOf(n)))
         indexIsCurrent = false

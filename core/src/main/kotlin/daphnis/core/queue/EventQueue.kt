@@ -1,5 +1,7 @@
 package daphnis.core.queue
 
+import daphnis.core.api.EngineApi
+
 /** Takes the potential collisions that a search finds. */
 public interface EventSink {
     /** Queues the potential collision of [first] with [second] (a slot, or a negative partner number). */
@@ -32,4 +34,11 @@ public interface EventQueue : Schedule {
 
     /** Removes the earliest event and puts it into [time], [first], [second], [image]; false when none is left. */
     public fun pop(): Boolean
+}
+
+/** Potential collisions to come: takes those that a search finds, and drops those of a sphere that has changed. */
+@EngineApi
+public interface Schedule : EventSink {
+    /** Drops every potential collision that involves [slot]. */
+    public fun removeAllOf(slot: Int)
 }

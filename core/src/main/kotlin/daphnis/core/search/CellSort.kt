@@ -24,3 +24,28 @@ internal fun findCells(population: SphereColumns, levels: GridLevels, into: Cell
         cellOf[k] = layout.firstCell + (c2 * layout.cells[1] + c1) * layout.cells[0] + c0
     }
 }
+
+/**
+ * How a [Grid] sorts spheres into cells. The result is the same: by cell, and within a cell by the previous order of
+ * the population.
+ */
+public enum class GridSort {
+    /** Counting sort; in parallel each worker counts a part of the population, and the counts are combined. */
+    COUNTING,
+
+    /**
+     * The paper's method: every worker hangs spheres into the lists of their cells while it holds the lock of the row.
+     */
+    ROW_LOCKS,
+}
+
+/** Counting sort by cell, see [CellCounting]. */
+internal class CountingSort : CellSort {
+    private val counting = CellCounting()
+
+    override fun sort(population: SphereColumns, levels: GridLevels, into: CellOrder, loop: RangeLoop) {
+        counting.sort(population.size, levels.cellCount, into, loop) { from, to ->
+            findCells(population, levels, into, from, to)
+        }
+    }
+}

@@ -64,3 +64,9 @@ internal class StepLimits {
         fun mostCollisions(spheres: Int): Long = LEAST_WORK + WORK_PER_SPHERE * spheres
     }
 }
+
+/**
+ * Thrown at an inelastic collapse: very many collisions of one sphere while time stands still. A collapse guard
+ * prevents it.
+ */
+public class CollapseException(message: String) : RuntimeException(message)
