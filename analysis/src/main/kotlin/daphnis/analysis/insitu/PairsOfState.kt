@@ -1,9 +1,10 @@
 package daphnis.analysis.insitu
 
-import daphnis.core.boundary.Images
+import daphnis.core.boundary.prepare
 import daphnis.core.population.Population
 import daphnis.core.search.NearPairs
 import daphnis.core.search.SearchStructure
+import daphnis.core.space.Images
 import kotlin.math.abs
 import kotlin.math.ceil
 

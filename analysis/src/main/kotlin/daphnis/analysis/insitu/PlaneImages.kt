@@ -1,7 +1,8 @@
 package daphnis.analysis.insitu
 
 import daphnis.core.boundary.BoundaryConditions
-import daphnis.core.boundary.Images
+import daphnis.core.boundary.prepare
+import daphnis.core.space.Images
 
 /**
  * Where the images of a patch stand, seen along z. Boxes of images lie in rows; a row goes on along the axis [along],

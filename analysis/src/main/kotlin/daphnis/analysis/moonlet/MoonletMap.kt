@@ -1,7 +1,8 @@
 package daphnis.analysis.moonlet
 
 import daphnis.analysis.insitu.State
-import daphnis.core.boundary.Images
+import daphnis.core.boundary.prepare
+import daphnis.core.space.Images
 import kotlin.math.abs
 import kotlin.math.sqrt
 

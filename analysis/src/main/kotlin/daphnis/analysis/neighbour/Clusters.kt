@@ -2,7 +2,8 @@ package daphnis.analysis.neighbour
 
 import daphnis.analysis.insitu.State
 import daphnis.analysis.insitu.forEachVector
-import daphnis.core.boundary.Images
+import daphnis.core.boundary.prepare
+import daphnis.core.space.Images
 
 /**
  * Clusters of particles: sets in which each is linked to another, also through faces and by images that slide. Found by

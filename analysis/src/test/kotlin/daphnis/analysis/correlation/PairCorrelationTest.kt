@@ -8,25 +8,26 @@ import daphnis.core.Simulation
 import daphnis.core.Sphere
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
-import daphnis.core.boundary.Images
 import daphnis.core.boundary.LeesEdwards
 import daphnis.core.boundary.Periodic
+import daphnis.core.boundary.prepare
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.hill.HillSheet
 import daphnis.core.initial.SeededRandom
 import daphnis.core.population.Population
 import daphnis.core.populationOf
+import daphnis.core.space.Images
 import daphnis.core.surface.ConstantRestitution
-import org.junit.jupiter.api.Assertions.assertEquals
-import org.junit.jupiter.api.Assertions.assertFalse
-import org.junit.jupiter.api.Assertions.assertThrows
-import org.junit.jupiter.api.Assertions.assertTrue
-import org.junit.jupiter.api.Test
 import kotlin.math.PI
 import kotlin.math.abs
 import kotlin.math.cos
 import kotlin.math.sin
 import kotlin.math.sqrt
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertFalse
+import org.junit.jupiter.api.Assertions.assertThrows
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
 
 class PairCorrelationTest {
     @Test

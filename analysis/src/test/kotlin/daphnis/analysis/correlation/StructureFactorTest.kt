@@ -4,11 +4,12 @@ import daphnis.analysis.insitu.State
 import daphnis.analysis.uniform
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
-import daphnis.core.boundary.Images
 import daphnis.core.boundary.LeesEdwards
 import daphnis.core.boundary.Periodic
+import daphnis.core.boundary.prepare
 import daphnis.core.hill.HillSheet
 import daphnis.core.population.Population
+import daphnis.core.space.Images
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows

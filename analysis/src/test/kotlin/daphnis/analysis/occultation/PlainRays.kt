@@ -3,9 +3,9 @@ package daphnis.analysis.occultation
 import daphnis.analysis.insitu.State
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.ContactFaces
-import daphnis.core.boundary.Images
 import daphnis.core.initial.SeededRandom
 import daphnis.core.population.Population
+import daphnis.core.space.Images
 import kotlin.math.cos
 import kotlin.math.sin
 

@@ -2,10 +2,11 @@ package daphnis.analysis.occultation
 
 import daphnis.analysis.insitu.State
 import daphnis.core.boundary.Box
-import daphnis.core.boundary.Images
 import daphnis.core.boundary.LeesEdwards
+import daphnis.core.boundary.prepare
 import daphnis.core.hill.HillSheet
 import daphnis.core.initial.SeededRandom
+import daphnis.core.space.Images
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertNotNull

@@ -3,6 +3,7 @@ package daphnis.core.boundary
 import daphnis.core.population.Kinematics
 import daphnis.core.population.MeanFlow
 import daphnis.core.population.Population
+import daphnis.core.space.Images
 import daphnis.core.space.Space
 import daphnis.core.surface.Roughness
 
@@ -96,6 +97,14 @@ public interface BoundaryConditions : Kinematics {
         @JvmStatic
         public fun open(): BoundaryConditions = Open
     }
+}
+
+/** Takes over the images of [boundary] at [time], the start of a step. */
+public fun Images.prepare(boundary: BoundaryConditions, time: Double) {
+    val box = boundary.box
+    set({ if (boundary.hasImages(it)) box.length(it) else 0.0 }, boundary.approach)
+    val shear = boundary.shear ?: return slide(-1, -1, 0.0, 0.0)
+    slide(shear.normalAxis, shear.slideAxis, shear.offset(time), shear.velocity)
 }
 
 /**

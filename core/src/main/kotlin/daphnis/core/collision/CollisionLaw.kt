@@ -1,9 +1,9 @@
 package daphnis.core.collision
 
-import daphnis.core.boundary.Images
 import daphnis.core.collision.StepRows.Companion.MARKS
 import daphnis.core.collision.StepRows.Companion.STRIDE
 import daphnis.core.collision.StepRows.Companion.VX
+import daphnis.core.space.Images
 import daphnis.core.space.Space
 import daphnis.core.surface.ContactLaw
 import daphnis.core.surface.Restitution

@@ -2,11 +2,11 @@
 
 package daphnis.core.collision
 
-import daphnis.core.boundary.Images
 import daphnis.core.collision.StepRows.Companion.RADIUS
 import daphnis.core.collision.StepRows.Companion.STRIDE
 import daphnis.core.collision.StepRows.Companion.TIME
 import daphnis.core.collision.StepRows.Companion.VX
+import daphnis.core.space.Images
 
 /** Contact time of spheres that never touch. Larger than any time, so `contactTime(…) <= duration` is false. */
 public const val NEVER: Double = Double.POSITIVE_INFINITY

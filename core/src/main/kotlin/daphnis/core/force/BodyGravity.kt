@@ -1,13 +1,14 @@
 package daphnis.core.force
 
 import daphnis.core.boundary.BoundaryConditions
-import daphnis.core.boundary.Images
+import daphnis.core.boundary.prepare
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.ExactSum
 import daphnis.core.population.Partition
 import daphnis.core.population.Population
 import daphnis.core.population.SphereSum
+import daphnis.core.space.Images
 import kotlin.math.sqrt
 
 /**

@@ -1,7 +1,7 @@
 package daphnis.core.force
 
 import daphnis.core.boundary.BoundaryConditions
-import daphnis.core.boundary.Images
+import daphnis.core.space.Images
 
 /**
  * How far gravity reaches where the box repeats: around each particle, by the distance ρ along the periodic axes alone

@@ -1,11 +1,12 @@
 package daphnis.core.force
 
 import daphnis.core.boundary.BoundaryConditions
-import daphnis.core.boundary.Images
+import daphnis.core.boundary.prepare
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.Population
 import daphnis.core.population.SphereSum
+import daphnis.core.space.Images
 
 /**
  * Gravity of all spheres on one another, by a tree (Barnes & Hut 1986, Nature 324, 446): a node whose size is below

@@ -1,6 +1,6 @@
 package daphnis.core.queue
 
-import daphnis.core.boundary.Images
+import daphnis.core.space.Images
 
 /**
  * The order of events beyond time: by lower id, then higher id, then image as seen from the lower id. Reached only when

@@ -1,10 +1,11 @@
 package daphnis.core.search
 
 import daphnis.core.boundary.BoundaryConditions
-import daphnis.core.boundary.Images
+import daphnis.core.boundary.prepare
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.SphereColumns
+import daphnis.core.space.Images
 
 /**
  * A regular grid that puts spheres in cell order. For each sphere, [CellRuns] then gives the runs of slots that hold

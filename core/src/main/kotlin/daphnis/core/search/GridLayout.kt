@@ -1,8 +1,8 @@
 package daphnis.core.search
 
 import daphnis.core.boundary.BoundaryConditions
-import daphnis.core.boundary.Images
 import daphnis.core.population.SphereColumns
+import daphnis.core.space.Images
 
 /**
  * How a [Grid] divides space for one class of sizes: for the axis of rows (0), the middle axis (1) and the slow axis

@@ -1,10 +1,10 @@
 package daphnis.core.search
 
 import daphnis.core.boundary.BoundaryConditions
-import daphnis.core.boundary.Images
 import daphnis.core.parallel.Extremes
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.SphereColumns
+import daphnis.core.space.Images
 
 /**
  * The layouts of a [Grid], one for each class of sizes, smallest first; their cells and rows are numbered one after the

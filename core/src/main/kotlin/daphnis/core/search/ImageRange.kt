@@ -1,7 +1,7 @@
 package daphnis.core.search
 
 import daphnis.core.boundary.BoundaryConditions
-import daphnis.core.boundary.Images
+import daphnis.core.space.Images
 import kotlin.math.abs
 
 /**

@@ -1,7 +1,7 @@
 package daphnis.core.search
 
-import daphnis.core.boundary.Images
 import daphnis.core.growth.GrowingTable
+import daphnis.core.space.Images
 
 /** Runs of slots, each with the image of its spheres. The arrays grow and keep their size. */
 public abstract class SlotRuns internal constructor() : GrowingTable() {

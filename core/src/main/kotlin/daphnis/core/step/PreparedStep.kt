@@ -1,7 +1,7 @@
 package daphnis.core.step
 
 import daphnis.core.api.EngineApi
-import daphnis.core.boundary.Images
+import daphnis.core.boundary.prepare
 import daphnis.core.collision.StepRows
 import daphnis.core.collision.WallContact
 import daphnis.core.parallel.InlineLoop
@@ -13,6 +13,7 @@ import daphnis.core.search.GridSort
 import daphnis.core.search.Reach
 import daphnis.core.search.RowBounds
 import daphnis.core.search.StepBounds
+import daphnis.core.space.Images
 
 /**
  * A step made ready for its collisions: the single owner of the spheres' order, their rows, the bounds on how far they

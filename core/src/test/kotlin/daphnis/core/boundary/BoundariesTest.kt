@@ -4,6 +4,7 @@ import daphnis.core.Sphere
 import daphnis.core.population.MeanFlow
 import daphnis.core.population.Population
 import daphnis.core.populationOf
+import daphnis.core.space.Images
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Test

@@ -7,6 +7,7 @@ import daphnis.core.initial.SeededRandom
 import daphnis.core.permuted
 import daphnis.core.population.Population
 import daphnis.core.population.stateDigest
+import daphnis.core.space.Images
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.params.ParameterizedTest

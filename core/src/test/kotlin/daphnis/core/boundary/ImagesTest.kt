@@ -1,6 +1,7 @@
 package daphnis.core.boundary
 
 import daphnis.core.population.MeanFlow
+import daphnis.core.space.Images
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Test
 

@@ -4,15 +4,16 @@ import daphnis.core.Sphere
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.ContactFaces
 import daphnis.core.boundary.ImageShear
-import daphnis.core.boundary.Images
 import daphnis.core.boundary.LeesEdwards
 import daphnis.core.boundary.PerSphereBoundary
 import daphnis.core.boundary.Periodic
+import daphnis.core.boundary.prepare
 import daphnis.core.collision.StepRows.Companion.STRIDE
 import daphnis.core.collision.StepRows.Companion.TIME
 import daphnis.core.initial.SeededRandom
 import daphnis.core.population.MeanFlow
 import daphnis.core.populationOf
+import daphnis.core.space.Images
 import daphnis.core.surface.ConstantRestitution
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue

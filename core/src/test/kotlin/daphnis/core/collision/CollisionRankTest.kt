@@ -1,9 +1,10 @@
 package daphnis.core.collision
 
 import daphnis.core.Sphere
-import daphnis.core.boundary.Images
 import daphnis.core.boundary.Open
+import daphnis.core.boundary.prepare
 import daphnis.core.populationOf
+import daphnis.core.space.Images
 import daphnis.core.surface.ConstantRestitution
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Test

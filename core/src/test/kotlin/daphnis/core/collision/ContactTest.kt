@@ -2,12 +2,13 @@ package daphnis.core.collision
 
 import daphnis.core.Sphere
 import daphnis.core.boundary.Box
-import daphnis.core.boundary.Images
 import daphnis.core.boundary.LeesEdwards
 import daphnis.core.boundary.Open
 import daphnis.core.boundary.Periodic
+import daphnis.core.boundary.prepare
 import daphnis.core.initial.SeededRandom
 import daphnis.core.populationOf
+import daphnis.core.space.Images
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test

@@ -5,11 +5,11 @@ import daphnis.core.Simulation
 import daphnis.core.Sphere
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
-import daphnis.core.boundary.Images
 import daphnis.core.boundary.LeesEdwards
 import daphnis.core.boundary.Open
 import daphnis.core.boundary.Periodic
 import daphnis.core.boundary.Walls
+import daphnis.core.boundary.prepare
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.engine.CoreEngines
@@ -22,12 +22,13 @@ import daphnis.core.population.stateDigest
 import daphnis.core.populationOf
 import daphnis.core.randomSpheres
 import daphnis.core.simulationOf
+import daphnis.core.space.Images
 import daphnis.core.surface.ConstantRestitution
+import kotlin.math.abs
+import kotlin.math.sqrt
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
-import kotlin.math.abs
-import kotlin.math.sqrt
 
 /** Two that touch after a collision do not approach by round-off, or they would collide at once for ever. */
 class InelasticContactTest {

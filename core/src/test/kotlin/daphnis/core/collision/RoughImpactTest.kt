@@ -4,25 +4,26 @@ import daphnis.core.FixedTimeStep
 import daphnis.core.Simulation
 import daphnis.core.Sphere
 import daphnis.core.boundary.Box
-import daphnis.core.boundary.Images
 import daphnis.core.boundary.LeesEdwards
 import daphnis.core.boundary.Open
 import daphnis.core.boundary.Walls
+import daphnis.core.boundary.prepare
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.initial.SeededRandom
 import daphnis.core.population.Population
 import daphnis.core.populationOf
+import daphnis.core.space.Images
 import daphnis.core.surface.ConstantRestitution
 import daphnis.core.surface.ConstantRoughness
 import daphnis.core.surface.CoulombRoughness
 import daphnis.core.surface.Roughness
+import java.math.BigDecimal
+import kotlin.math.abs
+import kotlin.math.sqrt
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
-import java.math.BigDecimal
-import kotlin.math.abs
-import kotlin.math.sqrt
 
 class RoughImpactTest {
     private val still = Images().apply { prepare(Open, 0.0) }

@@ -5,9 +5,9 @@ import daphnis.core.Simulation
 import daphnis.core.Sphere
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
-import daphnis.core.boundary.Images
 import daphnis.core.boundary.Open
 import daphnis.core.boundary.Periodic
+import daphnis.core.boundary.prepare
 import daphnis.core.hill.Epicycle
 import daphnis.core.hill.HillFrame
 import daphnis.core.hill.HillSheet
@@ -25,6 +25,7 @@ import daphnis.core.populationOf
 import daphnis.core.randomSpheres
 import daphnis.core.scenario.BuiltIn
 import daphnis.core.scenario.ScenarioSetup
+import daphnis.core.space.Images
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue

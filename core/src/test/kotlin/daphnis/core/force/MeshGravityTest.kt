@@ -2,10 +2,10 @@ package daphnis.core.force
 
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
-import daphnis.core.boundary.Images
 import daphnis.core.boundary.LeesEdwards
 import daphnis.core.boundary.Open
 import daphnis.core.boundary.Periodic
+import daphnis.core.boundary.prepare
 import daphnis.core.hill.HillFrame
 import daphnis.core.hill.HillSheet
 import daphnis.core.initial.SeededRandom
@@ -15,6 +15,7 @@ import daphnis.core.parallel.ParallelLoop
 import daphnis.core.permuted
 import daphnis.core.population.Population
 import daphnis.core.population.stateDigest
+import daphnis.core.space.Images
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue

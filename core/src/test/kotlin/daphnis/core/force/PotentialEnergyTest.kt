@@ -4,12 +4,12 @@ import daphnis.core.FixedTimeStep
 import daphnis.core.Simulation
 import daphnis.core.Sphere
 import daphnis.core.boundary.Box
-import daphnis.core.boundary.Images
 import daphnis.core.boundary.LeesEdwards
 import daphnis.core.boundary.Open
 import daphnis.core.boundary.Periodic
 import daphnis.core.boundary.ShearedPeriodic
 import daphnis.core.boundary.Walls
+import daphnis.core.boundary.prepare
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.hill.Epicycle
 import daphnis.core.hill.HillFrame
@@ -21,12 +21,13 @@ import daphnis.core.population.Conserved
 import daphnis.core.population.Population
 import daphnis.core.populationOf
 import daphnis.core.randomSpheres
+import daphnis.core.space.Images
 import daphnis.core.surface.ConstantRestitution
+import kotlin.math.abs
+import kotlin.math.sqrt
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
-import kotlin.math.abs
-import kotlin.math.sqrt
 
 class PotentialEnergyTest {
     private val box = Box.centred(10.0, 12.0, 8.0)

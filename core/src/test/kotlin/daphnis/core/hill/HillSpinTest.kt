@@ -4,9 +4,9 @@ import daphnis.core.FixedTimeStep
 import daphnis.core.Simulation
 import daphnis.core.Sphere
 import daphnis.core.boundary.Box
-import daphnis.core.boundary.Images
 import daphnis.core.boundary.Open
 import daphnis.core.boundary.Walls
+import daphnis.core.boundary.prepare
 import daphnis.core.collision.CollisionLaw
 import daphnis.core.collision.CollisionOutcome
 import daphnis.core.collision.StepRows
@@ -17,14 +17,15 @@ import daphnis.core.initial.SeededRandom
 import daphnis.core.population.Population
 import daphnis.core.population.SphereQuantity
 import daphnis.core.populationOf
+import daphnis.core.space.Images
 import daphnis.core.surface.ConstantRestitution
 import daphnis.core.surface.CoulombRoughness
-import org.junit.jupiter.api.Assertions.assertEquals
-import org.junit.jupiter.api.Assertions.assertTrue
-import org.junit.jupiter.api.Test
 import kotlin.math.abs
 import kotlin.math.cos
 import kotlin.math.sin
+import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
 
 /** Spins relative to a frame that turns. */
 class HillSpinTest {

@@ -3,7 +3,7 @@ package daphnis.core.physics
 import daphnis.core.Simulation
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
-import daphnis.core.boundary.Images
+import daphnis.core.boundary.prepare
 import daphnis.core.force.MeshGravity
 import daphnis.core.force.MutualGravity
 import daphnis.core.force.SelfGravity
@@ -11,6 +11,7 @@ import daphnis.core.hill.HillSheet
 import daphnis.core.population.Population
 import daphnis.core.scenario.BuiltIn
 import daphnis.core.scenario.ScenarioSetup
+import daphnis.core.space.Images
 import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import java.lang.management.ManagementFactory

@@ -1,7 +1,7 @@
 package daphnis.core.queue
 
-import daphnis.core.boundary.Images
 import daphnis.core.initial.SeededRandom
+import daphnis.core.space.Images
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue

@@ -2,7 +2,6 @@ package daphnis.core.search
 
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
-import daphnis.core.boundary.Images
 import daphnis.core.boundary.LeesEdwards
 import daphnis.core.boundary.Open
 import daphnis.core.boundary.Periodic
@@ -15,6 +14,7 @@ import daphnis.core.parallel.InlineLoop
 import daphnis.core.population.Population
 import daphnis.core.randomSpheres
 import daphnis.core.search.SearchStructure.LEVELS
+import daphnis.core.space.Images
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Tag

@@ -1,7 +1,6 @@
 package daphnis.core.search
 
 import daphnis.core.boundary.Box
-import daphnis.core.boundary.Images
 import daphnis.core.boundary.Periodic
 import daphnis.core.collision.StepRows
 import daphnis.core.collision.StepRows.Companion.RADIUS
@@ -11,6 +10,7 @@ import daphnis.core.collision.StepRows.Companion.VX
 import daphnis.core.initial.SeededRandom
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.randomSpheres
+import daphnis.core.space.Images
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse

@@ -3,12 +3,12 @@ package daphnis.core.search
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.ContactFaces
-import daphnis.core.boundary.Images
 import daphnis.core.boundary.LeesEdwards
 import daphnis.core.boundary.Open
 import daphnis.core.boundary.Periodic
 import daphnis.core.boundary.Walls
 import daphnis.core.initial.SeededRandom
+import daphnis.core.space.Images
 
 /** One of five boundaries, around a box whose sides are at most [longest]. */
 internal fun drawnBoundary(random: SeededRandom, longest: Double): BoundaryConditions {

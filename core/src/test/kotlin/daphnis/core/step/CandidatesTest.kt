@@ -2,7 +2,6 @@ package daphnis.core.step
 
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
-import daphnis.core.boundary.Images
 import daphnis.core.boundary.LeesEdwards
 import daphnis.core.boundary.Open
 import daphnis.core.boundary.Periodic
@@ -26,6 +25,7 @@ import daphnis.core.queue.EventSink
 import daphnis.core.randomSpheres
 import daphnis.core.search.GridSort
 import daphnis.core.search.SearchStructure
+import daphnis.core.space.Images
 import daphnis.core.surface.ConstantRestitution
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse

@@ -1,11 +1,11 @@
 package daphnis.core.step
 
 import daphnis.core.boundary.ContactFaces
-import daphnis.core.boundary.Images
 import daphnis.core.collision.StepRows
 import daphnis.core.collision.StepRows.Companion.STRIDE
 import daphnis.core.collision.contactTime
 import daphnis.core.queue.EventSink
+import daphnis.core.space.Images
 import kotlin.math.abs
 import kotlin.math.ceil
 

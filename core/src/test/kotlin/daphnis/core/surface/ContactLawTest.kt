@@ -4,10 +4,10 @@ import daphnis.core.FixedTimeStep
 import daphnis.core.Simulation
 import daphnis.core.Sphere
 import daphnis.core.boundary.Box
-import daphnis.core.boundary.Images
 import daphnis.core.boundary.Open
 import daphnis.core.boundary.Periodic
 import daphnis.core.boundary.Walls
+import daphnis.core.boundary.prepare
 import daphnis.core.collision.CollapseGuard
 import daphnis.core.collision.CollisionLaw
 import daphnis.core.collision.CollisionOutcome
@@ -21,6 +21,7 @@ import daphnis.core.population.Population
 import daphnis.core.population.stateDigest
 import daphnis.core.populationOf
 import daphnis.core.randomSpheres
+import daphnis.core.space.Images
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue

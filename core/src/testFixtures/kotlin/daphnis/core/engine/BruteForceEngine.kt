@@ -2,13 +2,14 @@ package daphnis.core.engine
 
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.ContactFaces
-import daphnis.core.boundary.Images
+import daphnis.core.boundary.prepare
 import daphnis.core.collision.CollisionOutcome
 import daphnis.core.collision.StepRows
 import daphnis.core.collision.WallContact
 import daphnis.core.collision.contactTime
 import daphnis.core.population.Population
 import daphnis.core.queue.ReferenceEventQueue
+import daphnis.core.space.Images
 import daphnis.core.step.CollisionStep
 import kotlin.math.abs
 import kotlin.math.ceil

@@ -2,13 +2,14 @@ package daphnis.core.engine.horizon
 
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.ContactFaces
-import daphnis.core.boundary.Images
+import daphnis.core.boundary.prepare
 import daphnis.core.collision.SurfaceWall
 import daphnis.core.collision.WallContact
 import daphnis.core.parallel.Extremes
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.SphereColumns
 import daphnis.core.search.Reach
+import daphnis.core.space.Images
 import daphnis.core.step.CollisionStep
 import kotlin.math.abs
 

@@ -1,6 +1,5 @@
 package daphnis.core.engine.horizon
 
-import daphnis.core.boundary.Images
 import daphnis.core.collision.StepRows
 import daphnis.core.collision.contactTime
 import daphnis.core.collision.storeAt
@@ -8,6 +7,7 @@ import daphnis.core.population.PopulationColumns
 import daphnis.core.population.SphereColumns
 import daphnis.core.population.optional
 import daphnis.core.queue.BucketEventQueue
+import daphnis.core.space.Images
 
 /** The place of the row of a sphere, by index in the columns of the step. Groups of different spheres can share one. */
 internal class SlotPlaces {

@@ -1,9 +1,9 @@
 package daphnis.core.engine.horizon
 
-import daphnis.core.boundary.Images
 import daphnis.core.collision.NEVER
 import daphnis.core.collision.waitUntilContact
 import daphnis.core.growth.GrowingTable
+import daphnis.core.space.Images
 import kotlin.math.abs
 
 /**

@@ -1,11 +1,11 @@
 package daphnis.core.engine.lists
 
-import daphnis.core.boundary.Images
 import daphnis.core.collision.StepRows
 import daphnis.core.collision.StepRows.Companion.RADIUS
 import daphnis.core.collision.StepRows.Companion.STRIDE
 import daphnis.core.collision.StepRows.Companion.TIME
 import daphnis.core.collision.StepRows.Companion.VX
+import daphnis.core.space.Images
 
 /**
  * Those in the list of a sphere that may touch it on their present paths, with the terms of

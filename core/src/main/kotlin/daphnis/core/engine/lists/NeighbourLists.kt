@@ -1,12 +1,12 @@
 package daphnis.core.engine.lists
 
-import daphnis.core.boundary.Images
 import daphnis.core.collision.StepRows
 import daphnis.core.collision.StepRows.Companion.RADIUS
 import daphnis.core.collision.StepRows.Companion.STRIDE
 import daphnis.core.collision.StepRows.Companion.TIME
 import daphnis.core.collision.StepRows.Companion.VX
 import daphnis.core.search.CellAxes.Companion.AXES
+import daphnis.core.space.Images
 import kotlin.math.abs
 
 /**

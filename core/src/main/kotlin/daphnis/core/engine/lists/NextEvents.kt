@@ -1,6 +1,5 @@
 package daphnis.core.engine.lists
 
-import daphnis.core.boundary.Images
 import daphnis.core.collision.FAR
 import daphnis.core.collision.StepRows
 import daphnis.core.collision.StepRows.Companion.STRIDE
@@ -10,6 +9,7 @@ import daphnis.core.collision.contactTime
 import daphnis.core.collision.waitUntilOutside
 import daphnis.core.collision.waitUntilRoot
 import daphnis.core.queue.compareTied
+import daphnis.core.space.Images
 import kotlin.math.max
 import kotlin.math.sqrt
 

@@ -1,11 +1,12 @@
 package daphnis.core.engine.horizon
 
 import daphnis.core.boundary.Box
-import daphnis.core.boundary.Images
 import daphnis.core.boundary.LeesEdwards
+import daphnis.core.boundary.prepare
 import daphnis.core.collision.StepRows
 import daphnis.core.collision.contactTime
 import daphnis.core.randomSpheres
+import daphnis.core.space.Images
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test

@@ -3,9 +3,9 @@ package daphnis.core.engine.islands
 import daphnis.core.Sphere
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
-import daphnis.core.boundary.Images
 import daphnis.core.boundary.Open
 import daphnis.core.boundary.Periodic
+import daphnis.core.boundary.prepare
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.collision.StepRows.Companion.RADIUS
 import daphnis.core.collision.StepRows.Companion.STRIDE
@@ -14,6 +14,7 @@ import daphnis.core.collision.StepRows.Companion.VX
 import daphnis.core.collision.contactTime
 import daphnis.core.initial.SeededRandom
 import daphnis.core.populationOf
+import daphnis.core.space.Images
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test

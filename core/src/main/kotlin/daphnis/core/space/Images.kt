@@ -1,4 +1,4 @@
-package daphnis.core.boundary
+package daphnis.core.space
 
 /**
  * Periodic images as small integers. A code packs how many boxes away an image is along x, y and z, one signed byte
@@ -7,9 +7,10 @@ package daphnis.core.boundary
  * to its original: along the faces of a sheared box, or towards it where spheres grow.
  *
  * Negating a code negates every one of these numbers exactly, so a pair has the same contact time from either side.
+ * [daphnis.core.boundary.prepare] takes over those of a boundary.
  */
 public class Images {
-    private val length = DoubleArray(3)
+    private val length = DoubleArray(AXES)
 
     /** Axis across which images slide; −1 when they are at rest. */
     public var normalAxis: Int = -1
@@ -20,22 +21,26 @@ public class Images {
         private set
     private var velocity = 0.0
 
-    /** See [BoundaryConditions.approach]. */
+    /** See [daphnis.core.boundary.BoundaryConditions.approach]. */
     public var approach: Double = 0.0
         private set
     private var offset = 0.0
 
-    /** Takes over the images of [boundary] at [time], the start of a step. */
-    public fun prepare(boundary: BoundaryConditions, time: Double) {
-        for (axis in 0..2) {
-            length[axis] = if (boundary.hasImages(axis)) boundary.box.length(axis) else 0.0
-        }
-        val shear = boundary.shear
-        normalAxis = shear?.normalAxis ?: -1
-        slideAxis = shear?.slideAxis ?: -1
-        velocity = shear?.velocity ?: 0.0
-        offset = shear?.offset(time) ?: 0.0
-        approach = boundary.approach
+    /**
+     * From now on images are [period] apart along x, y, z, 0 where there are none, and come nearer at the rate
+     * [approach].
+     */
+    internal fun set(period: (Int) -> Double, approach: Double) {
+        for (axis in 0 until AXES) length[axis] = period(axis)
+        this.approach = approach
+    }
+
+    /** From now on images across [normalAxis] are displaced by [offset] along [slideAxis], and slide with [velocity]. */
+    internal fun slide(normalAxis: Int, slideAxis: Int, offset: Double, velocity: Double) {
+        this.normalAxis = normalAxis
+        this.slideAxis = slideAxis
+        this.offset = offset
+        this.velocity = velocity
     }
 
     /** Distance of consecutive images along [axis]; 0 when there are none. */
@@ -79,6 +84,8 @@ public class Images {
     public val shearVelocity: Double get() = velocity
 
     public companion object {
+        private const val AXES = 3
+
         /** How many boxes away along an axis an image may be. */
         public const val FARTHEST: Int = 127
 
