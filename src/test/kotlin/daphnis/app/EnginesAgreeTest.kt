@@ -2,12 +2,12 @@ package daphnis.app
 
 import daphnis.core.Repository.read
 import daphnis.core.Simulation
-import daphnis.core.boundary.Piston
 import daphnis.core.engine.EnginesAgreeContract
 import daphnis.core.engine.TestedEngines
 import daphnis.core.population.stateDigest
 import daphnis.core.scenario.ScenarioJson
 import daphnis.core.scenario.ScenarioSetup
+import daphnis.core.wall.Piston
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
@@ -44,7 +44,7 @@ class EnginesAgreeTest : EnginesAgreeContract(TestedEngines(allEngines), draws =
             val forcing = setup.collisions(allEngines.create(name, 2)!!)
             Simulation(setup.population, setup.boundary, forcing, setup.timeStep).use { simulation ->
                 repeat(60) { simulation.advance() }
-                val pistons = listOf(0, 1).map { setup.boundary.wallMotion(it) as Piston }
+                val pistons = listOf(0, 1).map { setup.boundary.walls[it]!!.motion as Piston }
                 // In a time of 3 the forces alone would give them these speeds.
                 for ((piston, forced) in pistons.zip(listOf(0.1 + 9.0 / 60 * 3, -8.0 / 45 * 3))) {
                     assertTrue(abs(piston.speed - forced) > 0.01) { "nothing hit it: ${piston.speed}" }

@@ -2,8 +2,7 @@ package daphnis.core
 
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.PerSphereBoundary
-import daphnis.core.boundary.keepsFinite
-import daphnis.core.collision.Pistons
+import daphnis.core.boundary.Pistons
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.engine.EndsFinite
 import daphnis.core.force.Drift
@@ -94,7 +93,7 @@ public class StepPhases(
         }
         // Without forces nothing else is done to the spheres, which are in the cache here.
         isKnownFinite = forces.isEmpty()
-        val isFiniteAnyway = hasDriftedFinite && boundary.keepsFinite()
+        val isFiniteAnyway = hasDriftedFinite && boundary.keepsFinite(boundary)
         loop.runLight(population.size) { _, from, to ->
             forEachPiece(from, to) { first, last ->
                 boundary.endStep(population, end, first, last)

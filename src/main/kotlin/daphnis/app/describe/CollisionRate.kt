@@ -65,7 +65,7 @@ internal class CollisionRate private constructor(
         /** Whether spheres that are pressed along [axis] come to lie on something. */
         private fun hasFloor(boundary: BoundaryConditions, axis: Int) = when (boundary.contactFaces(axis)) {
             ContactFaces.WALL -> true
-            ContactFaces.OPEN -> boundary.surfaces.isNotEmpty()
+            ContactFaces.OPEN -> boundary.walls.surfaces.isNotEmpty()
             ContactFaces.WRAPPING, ContactFaces.PERIODIC -> false
         }
 

@@ -114,7 +114,7 @@ internal class PhysicsRows(private val setup: ScenarioSetup, private val say: Qu
     private fun fullness() {
         val radii = DoubleArray(particles.size) { population.radius[particles[it]] }
         val open =
-            setup.boundary.surfaces.isEmpty() &&
+            setup.boundary.walls.surfaces.isEmpty() &&
                 (0 until box.space.dimensions).any { setup.boundary.contactFaces(it) == ContactFaces.OPEN }
         val name = if (box.space.isPlane) "area fraction" else "filling factor"
         rows.add(name, number(fillingFactor(radii, setup.boundary)) + if (open) " of the box at the start" else "")

@@ -2,9 +2,9 @@ package daphnis.app.live
 
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.ContactFaces
-import daphnis.core.boundary.Piston
 import daphnis.core.scenario.BoundarySpec
 import daphnis.core.scenario.WallSurfaceSpec
+import daphnis.core.wall.Piston
 
 /**
  * The walls around a state, where they stand at its [time], for who looks at it. What moves is looked up once, here:
@@ -18,22 +18,23 @@ internal class SeenWalls(
     private val boundary: BoundaryConditions,
     private val spec: BoundarySpec?,
     val time: Double,
-    pistons: (Int) -> Double? = { (boundary.wallMotion(it) as? Piston)?.position },
+    pistons: (Int) -> Double? = { (boundary.walls[it]?.motion as? Piston)?.position },
 ) {
     private val places = DoubleArray(2 * AXES) { face ->
         val axis = face shr 1
         val rest = if (face and 1 == 0) boundary.box.lower(axis) else boundary.box.upper(axis)
-        val motion = boundary.wallMotion(face)
+        val motion = boundary.walls[face]?.motion
         rest + if (motion is Piston) pistons(face) ?: 0.0 else motion?.displacement(time) ?: 0.0
     }
 
     val surfaces: List<WallSurfaceSpec> = spec?.surfaces.orEmpty()
 
     /** Along what a surface has moved, and how far. */
-    fun displacement(surface: Int): Double = boundary.surfaces[surface].face.motion?.displacement(time) ?: 0.0
+    fun displacement(surface: Int): Double = boundary.walls.surfaces[surface].motion?.displacement(time) ?: 0.0
 
     /** Distance of a point from a surface, negative beyond it. */
-    fun distance(surface: Int, at: DoubleArray): Double = boundary.surfaces[surface].distance(at[0], at[1], at[2], time)
+    fun distance(surface: Int, at: DoubleArray): Double =
+        boundary.walls.surfaces[surface].distance(at[0], at[1], at[2], time)
 
     /** Whether the ends of [extent] are faces of the box. */
     fun isFace(axis: Int): Boolean =
@@ -52,7 +53,7 @@ internal class SeenWalls(
         val across = walled.joinToString("") { NAMES[it] }.takeIf { it.isNotEmpty() }?.let { "walls across $it" }
         val moved = walled.flatMap { listOf(2 * it, 2 * it + 1) }.mapNotNull { face ->
             val name = "${if (face and 1 == 0) "lower" else "upper"} ${NAMES[face shr 1]}"
-            boundary.wallMotion(face)?.let { if (it is Piston) "$name is a piston" else "$name moves" }
+            boundary.walls[face]?.motion?.let { if (it is Piston) "$name is a piston" else "$name moves" }
         }
         return listOfNotNull(across) + moved + surfaces.map { it.named(length) }
     }

@@ -5,7 +5,7 @@ import daphnis.core.population.MeanFlow
 import daphnis.core.population.Population
 import daphnis.core.space.Images
 import daphnis.core.space.Space
-import daphnis.core.surface.Roughness
+import daphnis.core.wall.WallSet
 
 /**
  * What happens at the faces of the box. See [Box] for the axes.
@@ -14,7 +14,8 @@ import daphnis.core.surface.Roughness
  * matter. **Within a step** spheres move on straight paths and may stick out of the box; [contactFaces] and
  * [shear] tell the contact search which images a sphere can hit, and walls reflect. **After the step** [endStep] brings
  * every sphere back. A boundary of your own needs only [box] and [endStep]; contacts are then searched only inside the
- * box. A boundary which repeats or has walls is a [PerSphereBoundary] and needs only [box] and [contactFaces].
+ * box. A boundary which repeats or has walls is a [PerSphereBoundary] and needs only [box] and [contactFaces], and the
+ * [walls] where it has any.
  *
  * Code which needs to know how a boundary behaves uses these members and never its type, so a new boundary is one new
  * file.
@@ -53,34 +54,16 @@ public interface BoundaryConditions : Kinematics {
      */
     override val meanFlow: MeanFlow? get() = null
 
-    /** Coefficient of restitution of walls, in [0, 1]; used where [contactFaces] says [ContactFaces.WALL]. */
-    public val wallRestitution: Double get() = 1.0
-
-    /** Coefficient of restitution of the wall at [face], numbered −x, +x, −y, +y, −z, +z from 0. */
-    public fun wallRestitution(face: Int): Double = wallRestitution
-
-    /** How the wall at [face] moves, or null where it rests. */
-    public fun wallMotion(face: Int): WallMotion? = null
-
     /**
-     * Temperature of the wall at [face], mass · (length/time)², or null where it is not thermal. A sphere leaves a
-     * thermal wall as if it came from a gas of that temperature beyond it.
+     * All walls. [contactFaces] is [ContactFaces.WALL] where two of them are faces of the box; the others are the same
+     * everywhere along every axis that has images.
      */
-    public fun wallTemperature(face: Int): Double? = null
+    public val walls: WallSet get() = WallSet.NONE
 
-    /** Decides about all that thermal walls draw. */
-    public val wallSeed: Long get() = 0
+    /** Whether the radii of spheres change with time. */
+    public val changesRadii: Boolean get() = false
 
-    /**
-     * Roughness of the wall at [face], numbered −x, +x, −y, +y, −z, +z from 0, or null where it is smooth; used where
-     * [contactFaces] says [ContactFaces.WALL]. Spheres need spins where there is any.
-     */
-    public fun wallRoughness(face: Int): Roughness? = null
-
-    /** Walls that are not faces of the box. Each is the same everywhere along every axis that has images. */
-    public val surfaces: List<WallSurface> get() = emptyList()
-
-    /** Volume of the room, in the plane its area: that of the [box], less what [surfaces] cut off at time 0. */
+    /** Volume of the room, in the plane its area: that of the [box], less what other [walls] cut off at time 0. */
     public val volume: Double get() = box.volume
 
     /**
@@ -124,7 +107,19 @@ public interface PerSphereBoundary : BoundaryConditions {
         }
     }
 
+    /**
+     * Whether [endStep] surely makes finite numbers of such as an epoch ends with, which are far from the ends of the
+     * range of doubles. Anybody else's boundary may do anything, and images that slide do so with the time, which has
+     * no bound.
+     *
+     * @param asked the boundary of the simulation: another one, if that hands on to this what it does not do itself
+     */
+    public fun keepsFinite(asked: PerSphereBoundary): Boolean = false
+
     override fun endStep(population: Population, time: Double) {
         endStep(population, time, 0, population.size)
     }
 }
+
+/** The volume of the room in [box], which is that of this boundary unless that is open. */
+internal fun BoundaryConditions.roomIn(box: Box): Double = if (walls.surfaces.isEmpty()) box.volume else volume

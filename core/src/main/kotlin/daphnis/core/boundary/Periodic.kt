@@ -12,6 +12,8 @@ public class Periodic @JvmOverloads constructor(
 ) : PerSphereBoundary {
     private val periodic = booleanArrayOf(periodicX, periodicY, periodicZ && !box.space.isPlane)
 
+    override fun keepsFinite(asked: PerSphereBoundary): Boolean = asked === this
+
     init {
         requireFinite(box) { periodic[it] }
     }

@@ -22,8 +22,9 @@ public class ShearedPeriodic(override val box: Box, public val velocityJump: Dou
     override fun contactFaces(axis: Int): ContactFaces =
         if (axis < space.dimensions) ContactFaces.WRAPPING else ContactFaces.OPEN
 
-    /** Whether the jumps of a sphere that passes very many boxes at once are finite. */
-    internal val isFarFromInfinite: Boolean = abs(velocityJump) <= LARGE && box.length(1) >= 1 / LARGE
+    /** As the jumps of a sphere that passes very many boxes at once are finite. */
+    override fun keepsFinite(asked: PerSphereBoundary): Boolean =
+        asked === this && abs(velocityJump) <= LARGE && box.length(1) >= 1 / LARGE
 
     override fun endStep(population: Population, time: Double, from: Int, to: Int) {
         val vx = population.vx

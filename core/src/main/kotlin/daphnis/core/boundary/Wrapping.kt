@@ -16,17 +16,6 @@ internal inline fun requireFinite(box: Box, which: (Int) -> Boolean) {
 }
 
 /**
- * Whether [PerSphereBoundary.endStep] surely makes finite numbers of such as an epoch ends with, which are far from the
- * ends of the range of doubles. Anybody else's boundary may do anything, and images that slide do so with the time,
- * which has no bound.
- */
-internal fun PerSphereBoundary.keepsFinite(): Boolean = when (this) {
-    is Periodic, is Walls -> true
-    is ShearedPeriodic -> isFarFromInfinite
-    else -> false
-}
-
-/**
  * Puts the spheres [from] until [to] back into [box] along [axis], and counts the boxes they crossed. Calls [crossed]
  * with the index of each that was outside, and with the number of boxes by which it is put back.
  */

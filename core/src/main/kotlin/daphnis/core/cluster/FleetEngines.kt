@@ -1,7 +1,6 @@
 package daphnis.core.cluster
 
 import daphnis.core.RemoteSteps
-import daphnis.core.boundary.hasPistons
 import daphnis.core.compression.GrowingSpheres
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.CollisionForcing
@@ -58,14 +57,14 @@ public class FleetEngines internal constructor(
         time: Double,
         step: Long,
     ): RemoteSteps {
-        if (setup.boundary.hasPistons) {
+        if (!setup.boundary.walls.areKnownAhead) {
             throw InputException(
                 source,
                 WallFacesSpec.KEY,
                 "has a piston, which nodes do not move yet; run it on one machine",
             )
         }
-        if (setup.boundary is GrowingSpheres) {
+        if (setup.boundary.changesRadii) {
             throw InputException(source, "growth", "is not computed by nodes yet; run it on one machine")
         }
         if (setup.forces.any { it is MutualGravity && it !is RadialGravity }) {

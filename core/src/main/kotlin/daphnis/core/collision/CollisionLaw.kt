@@ -122,7 +122,12 @@ public class CollisionLaw @JvmOverloads constructor(
                 settle(rows, first, second, b, d2, time, outcome)
                 outcome.forgetSurfaces()
             } else {
-                touch(rows, first, second, ux, uy, uz, b, d2, time, outcome)
+                outcome.ux = ux
+                outcome.uy = uy
+                outcome.uz = uz
+                outcome.nearing = b
+                outcome.distance2 = d2
+                touch(rows, first, second, time, outcome)
             }
             // From the reduced mass, so that it is the same to the last bit from either side.
             val m1 = rows.mass[first]
@@ -136,23 +141,12 @@ public class CollisionLaw @JvmOverloads constructor(
         return true
     }
 
-    /** The exchange by a law that is told of more than the impact speed; what is given is as in [SpinExchange.meet]. */
-    private fun touch(
-        rows: StepRows,
-        first: Int,
-        second: Int,
-        ux: Double,
-        uy: Double,
-        uz: Double,
-        b: Double,
-        d2: Double,
-        time: Double,
-        outcome: CollisionOutcome,
-    ) {
-        spins.meet(rows, first, second, ux, uy, uz, b, d2, time, outcome)
+    /** The exchange by a law that is told of more than the impact speed. */
+    private fun touch(rows: StepRows, first: Int, second: Int, time: Double, outcome: CollisionOutcome) {
+        spins.meet(rows, first, second, time, outcome)
         askGuard(rows, first, second, time, outcome)
         outcome.coefficient = if (outcome.guarded) 1.0 else contactLaw.restitution(outcome.contact)
-        settle(rows, first, second, b, d2, time, outcome)
+        settle(rows, first, second, outcome.nearing, outcome.distance2, time, outcome)
         outcome.contact.restitution = outcome.coefficient
         if (isRough) spins.rub(rows, contactLaw, first, second, outcome) else outcome.forgetSurfaces()
     }

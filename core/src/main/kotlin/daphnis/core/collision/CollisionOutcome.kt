@@ -29,6 +29,18 @@ public class CollisionOutcome {
     /** Energy of motion and of spins that the surfaces took, beside what restitution takes. */
     internal var rubbed = 0.0
 
+    /** An impact begins that may change nothing. */
+    internal fun begin(rank: Int) {
+        impactSpeed = 0.0
+        impulse = 0.0
+        coefficient = 1.0
+        forgetSurfaces()
+        this.rank = rank
+        separationX = 0.0
+        separationY = 0.0
+        separationZ = 0.0
+    }
+
     /** As smooth spheres have it. */
     internal fun forgetSurfaces() {
         slideX = 0.0
@@ -54,6 +66,16 @@ public class CollisionOutcome {
 
     /** What laws are asked about. */
     internal val contact = SurfaceContact()
+
+    /** What walls say of the impact on them. */
+    internal val wall = WallImpact()
+
+    /** Relative velocity of the second sphere, its product with the separation, and the square of that. */
+    internal var ux = 0.0
+    internal var uy = 0.0
+    internal var uz = 0.0
+    internal var nearing = 0.0
+    internal var distance2 = 1.0
 
     /** Of the angle by which axes have turned at the impact. */
     internal var cosine = 1.0

@@ -39,28 +39,15 @@ internal class SpinExchange(private val momentFactor: Double, private val turnin
     /**
      * Describes the impact of [first] and [second] in the contact of [outcome], which has its speed, and puts **g** in
      * place of the momentum that [rub] finds. Of spheres without spins **g** is that of their velocities.
-     *
-     * @param ux relative velocity of the second, before the impact; likewise [uy], [uz]
-     * @param b **d** · **u** with **d** the separation, and [d2] = d²
      */
-    fun meet(
-        rows: StepRows,
-        first: Int,
-        second: Int,
-        ux: Double,
-        uy: Double,
-        uz: Double,
-        b: Double,
-        d2: Double,
-        time: Double,
-        outcome: CollisionOutcome,
-    ) {
+    fun meet(rows: StepRows, first: Int, second: Int, time: Double, outcome: CollisionOutcome) {
         val dx = outcome.separationX
         val dy = outcome.separationY
         val dz = outcome.separationZ
-        var gx = ux - b / d2 * dx
-        var gy = uy - b / d2 * dy
-        var gz = uz - b / d2 * dz
+        val along = outcome.nearing / outcome.distance2
+        var gx = outcome.ux - along * dx
+        var gy = outcome.uy - along * dy
+        var gz = outcome.uz - along * dz
         if (rows.hasSpin) {
             val r1 = rows.state[first * STRIDE + RADIUS]
             val r2 = rows.state[second * STRIDE + RADIUS]
@@ -133,101 +120,37 @@ internal class SpinExchange(private val momentFactor: Double, private val turnin
         spin(rows, second, f2 * inverse / r2, ax, ay, kz)
     }
 
-    /** The impact of [slot] on the wall [face], with the speed [normalSpeed] and the coefficient [restitution]. */
-    fun reflect(
-        rows: StepRows,
-        roughness: Roughness,
-        slot: Int,
-        face: Int,
-        normalSpeed: Double,
-        restitution: Double,
-        time: Double,
-        contact: SurfaceContact,
-    ) {
-        val state = rows.state
+    /**
+     * The impact of [slot] on a wall, which [outcome] describes with its unit normal, by β of [roughness]. Velocities
+     * are the true ones, not those of chords.
+     */
+    fun reflect(rows: StepRows, roughness: Roughness, slot: Int, outcome: CollisionOutcome) {
+        val impact = outcome.wall
+        val nx = -impact.nx
+        val ny = -impact.ny
+        val nz = -impact.nz
         val p = slot * STRIDE + VX
-        val r = state[slot * STRIDE + RADIUS]
-        val axis = face shr 1
-        val side = if (face and 1 == 0) -1.0 else 1.0
-        val nx = if (axis == 0) side else 0.0
-        val ny = if (axis == 1) side else 0.0
-        val nz = if (axis == 2) side else 0.0
-        val cosine = cosine(time)
-        val sine = sine(time)
+        val ux = impact.sx - rows.state[p]
+        val uy = impact.sy - rows.state[p + 1]
+        val uz = impact.sz - rows.state[p + 2]
+        val across = ux * nx + uy * ny + uz * nz
+        val r = rows.state[slot * STRIDE + RADIUS]
+        val cosine = cosine(impact.time)
+        val sine = sine(impact.time)
         val wx = r * (cosine * rows.wx[slot] + sine * rows.wy[slot])
         val wy = r * (cosine * rows.wy[slot] - sine * rows.wx[slot])
         val wz = r * rows.wz[slot]
         // Of the wall relative to the sphere's surface.
-        val gx = if (axis == 0) 0.0 else -state[p] - (wy * nz - wz * ny)
-        val gy = if (axis == 1) 0.0 else -state[p + 1] - (wz * nx - wx * nz)
-        val gz = if (axis == 2) 0.0 else -state[p + 2] - (wx * ny - wy * nx)
-        rubWall(rows, roughness, slot, nx, ny, nz, gx, gy, gz, normalSpeed, restitution, time, contact)
-    }
-
-    /**
-     * The same on a wall beyond the unit vector ([nx], [ny], [nz]) from the sphere, whose surface moves with
-     * ([sx], [sy], [sz]), along itself or not.
-     */
-    fun reflect(
-        rows: StepRows,
-        roughness: Roughness,
-        slot: Int,
-        nx: Double,
-        ny: Double,
-        nz: Double,
-        sx: Double,
-        sy: Double,
-        sz: Double,
-        normalSpeed: Double,
-        restitution: Double,
-        time: Double,
-        contact: SurfaceContact,
-    ) {
-        val p = slot * STRIDE + VX
-        val ux = sx - rows.state[p]
-        val uy = sy - rows.state[p + 1]
-        val uz = sz - rows.state[p + 2]
-        val across = ux * nx + uy * ny + uz * nz
-        val r = rows.state[slot * STRIDE + RADIUS]
-        val cosine = cosine(time)
-        val sine = sine(time)
-        val wx = r * (cosine * rows.wx[slot] + sine * rows.wy[slot])
-        val wy = r * (cosine * rows.wy[slot] - sine * rows.wx[slot])
-        val wz = r * rows.wz[slot]
-        val gx = ux - across * nx - (wy * nz - wz * ny)
-        val gy = uy - across * ny - (wz * nx - wx * nz)
-        val gz = uz - across * nz - (wx * ny - wy * nx)
-        rubWall(rows, roughness, slot, nx, ny, nz, gx, gy, gz, normalSpeed, restitution, time, contact)
-    }
-
-    /** Where the wall moves with (gx, gy, gz) relative to the sphere's surface. */
-    private fun rubWall(
-        rows: StepRows,
-        roughness: Roughness,
-        slot: Int,
-        nx: Double,
-        ny: Double,
-        nz: Double,
-        slideX: Double,
-        slideY: Double,
-        slideZ: Double,
-        normalSpeed: Double,
-        restitution: Double,
-        time: Double,
-        contact: SurfaceContact,
-    ) {
-        var gx = slideX
-        var gy = slideY
-        var gz = slideZ
-        val r = rows.state[slot * STRIDE + RADIUS]
-        val cosine = cosine(time)
-        val sine = sine(time)
+        var gx = ux - across * nx - (wy * nz - wz * ny)
+        var gy = uy - across * ny - (wz * nx - wx * nz)
+        var gz = uz - across * nz - (wx * ny - wy * nx)
         val sliding = sqrt(gx * gx + gy * gy + gz * gz)
+        val contact = outcome.contact
         contact.ofWall(rows, slot)
         contact.momentFactor = momentFactor
-        contact.normalSpeed = normalSpeed
+        contact.normalSpeed = impact.speed
         contact.tangentialSpeed = sliding
-        contact.restitution = restitution
+        contact.restitution = impact.coefficient
         val factor = if (sliding == 0.0) 0.0 else checked(roughness.change(contact), sliding)
         gx /= 1.0 + inverse
         gy /= 1.0 + inverse

@@ -76,6 +76,8 @@ public class GrowingSpheres @JvmOverloads constructor(
 
     override val approach: Double get() = gamma / scale
 
+    override val changesRadii: Boolean get() = true
+
     override fun contactFaces(axis: Int): ContactFaces = periodic.contactFaces(axis)
 
     override fun useLoop(loop: RangeLoop) {

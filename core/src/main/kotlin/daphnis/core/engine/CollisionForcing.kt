@@ -1,7 +1,6 @@
 package daphnis.core.engine
 
 import daphnis.core.boundary.BoundaryConditions
-import daphnis.core.boundary.hasRoughWalls
 import daphnis.core.collision.CollapseGuard
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.collision.CollisionLaw
@@ -93,7 +92,7 @@ public class CollisionForcing @JvmOverloads constructor(
     }
 
     private fun newStep(population: Population, boundary: BoundaryConditions): CollisionStep {
-        val isRough = collisionLaw.isRough || boundary.hasRoughWalls
+        val isRough = collisionLaw.isRough || boundary.walls.any { it.roughness != null }
         require(!isRough || population.hasSpin) {
             "spheres or walls are rough, and the population has no angular velocities; give them, such as 0 for all"
         }

@@ -1,13 +1,13 @@
 package daphnis.core.initial
 
 import daphnis.core.boundary.Box
-import daphnis.core.boundary.WallSurface
 import daphnis.core.parallel.FixedPool
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.LoopStrategy
 import daphnis.core.parallel.ParallelLoop
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.space.Space
+import daphnis.core.wall.Wall
 
 /**
  * Random sequential addition: spheres, the largest first, go to uniform random places until one is free. Reaches
@@ -37,12 +37,12 @@ public class RandomPlacement internal constructor(
     public constructor(mostTries: Int = MOST_TRIES, obstacles: List<Obstacle> = emptyList(), threads: Int = 1) :
         this(mostTries, obstacles, threads, null, LEAST_FOR_THREADS)
 
-    private var surfaces: List<WallSurface> = emptyList()
+    private var surfaces: List<Wall> = emptyList()
     private var time = 0.0
 
     /** From now on whole spheres stay inside of [surfaces] too, as these are at [time]. @return this */
     @JvmOverloads
-    public fun within(surfaces: List<WallSurface>, time: Double = 0.0): RandomPlacement {
+    public fun within(surfaces: List<Wall>, time: Double = 0.0): RandomPlacement {
         this.surfaces = surfaces
         this.time = time
         return this

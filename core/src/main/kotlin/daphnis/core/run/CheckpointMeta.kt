@@ -1,9 +1,9 @@
 package daphnis.core.run
 
 import daphnis.core.boundary.BoundaryConditions
-import daphnis.core.boundary.pistons
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.collision.Counter
+import daphnis.core.wall.pistons
 import kotlinx.serialization.EncodeDefault
 import kotlinx.serialization.ExperimentalSerializationApi
 import kotlinx.serialization.Serializable
@@ -68,7 +68,7 @@ internal class CheckpointMeta(
 
     /** Puts the pistons of [boundary] where they were. */
     fun putPistons(boundary: BoundaryConditions) {
-        for ((face, piston) in boundary.pistons) {
+        for ((face, piston) in boundary.walls.pistons) {
             val (position, speed) =
                 requireNotNull(pistons[face]) { "it does not say where the piston at face $face is" }
             piston.put(position, speed)

@@ -2,11 +2,11 @@ package daphnis.core.run
 
 import daphnis.core.Opening
 import daphnis.core.OutputState
-import daphnis.core.boundary.pistons
 import daphnis.core.cluster.FleetException
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.compression.GrowingSpheres
 import daphnis.core.step.CollapseException
+import daphnis.core.wall.pistons
 import java.io.IOException
 import java.util.function.BooleanSupplier
 
@@ -135,7 +135,7 @@ internal class Execution(
             wallSeconds,
             losses = from?.losses.orEmpty(),
             reducedPressure = (simulation.boundary as? GrowingSpheres)?.reducedPressure?.takeIf { it.isFinite() },
-            pistons = simulation.boundary.pistons.mapValues { (_, it) -> listOf(it.position, it.speed) },
+            pistons = simulation.boundary.walls.pistons.mapValues { (_, it) -> listOf(it.position, it.speed) },
         )
         val population = simulation.population
         files.writer.state(SpheresById.bytes(population), { SpheresById(population) }) { spheres ->

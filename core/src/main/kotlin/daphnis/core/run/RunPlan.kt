@@ -2,8 +2,6 @@ package daphnis.core.run
 
 import daphnis.core.Output
 import daphnis.core.Simulation
-import daphnis.core.boundary.hasDrivenWalls
-import daphnis.core.boundary.pistons
 import daphnis.core.cluster.FleetEngines
 import daphnis.core.compression.GrowingSpheres
 import daphnis.core.engine.EngineFactory
@@ -15,6 +13,7 @@ import daphnis.core.scenario.OutputSpec
 import daphnis.core.scenario.ResolvedScenario
 import daphnis.core.scenario.ScenarioSetup
 import daphnis.core.scenario.carriesHeat
+import daphnis.core.wall.pistons
 import daphnis.core.wave.ModeSums
 
 /**
@@ -45,10 +44,10 @@ internal class RunPlan(
         spinSums(simulation),
         materialSums(simulation, scenario),
         if (ModesOutput.times(output).isNever) null else ModeSums(output.modes, simulation.boundary, sums.firstBody),
-        simulation.boundary.hasDrivenWalls,
-        simulation.boundary.surfaces.size,
-        simulation.boundary is GrowingSpheres,
-        simulation.boundary.pistons.keys,
+        simulation.boundary.walls.areDriven,
+        simulation.boundary.walls.surfaces.size,
+        simulation.boundary.changesRadii,
+        simulation.boundary.walls.pistons.keys,
     )
 
     /** Whether the run ends before [until], with the present state. */

@@ -2,8 +2,6 @@ package daphnis.core.run
 
 import daphnis.core.Output
 import daphnis.core.Simulation
-import daphnis.core.boundary.Piston
-import daphnis.core.boundary.pistons
 import daphnis.core.compression.GrowingSpheres
 import daphnis.core.force.Drift
 import daphnis.core.format.Snapshot
@@ -16,6 +14,8 @@ import daphnis.core.table.Columns
 import daphnis.core.table.Dimension
 import daphnis.core.table.Need
 import daphnis.core.table.TableColumns
+import daphnis.core.wall.Piston
+import daphnis.core.wall.pistons
 import java.nio.file.Files
 import java.nio.file.Path
 
@@ -58,7 +58,7 @@ internal class SeriesRow(val simulation: Simulation, stepSums: StepSums) {
     val growth: GrowingSpheres? = simulation.boundary as? GrowingSpheres
 
     /** By face. */
-    val pistons: Map<Int, Piston> = simulation.boundary.pistons
+    val pistons: Map<Int, Piston> = simulation.boundary.walls.pistons
 
     /** The total angular momentum along [axis], NaN where space repeats or turns. */
     fun angularMomentum(axis: Int): Double {

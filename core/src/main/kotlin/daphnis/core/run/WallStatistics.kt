@@ -3,8 +3,8 @@ package daphnis.core.run
 import daphnis.core.Output
 import daphnis.core.OutputState
 import daphnis.core.Simulation
-import daphnis.core.collision.WallContact
 import daphnis.core.population.ExactSum
+import daphnis.core.wall.WallContact
 
 /**
  * Sums over the collisions of a run with walls, where any of these moves or is thermal: what they give to spheres. They
@@ -46,7 +46,7 @@ public class WallStatistics : Output {
     }
 
     private fun sumOf(partner: Int): ExactSum {
-        val face = WallContact.face(partner)
+        val face = WallContact.number(partner)
         while (impulses.size <= face) impulses += ExactSum()
         return impulses[face]
     }

@@ -3,11 +3,11 @@ package daphnis.core.scenario
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.OpenPlane
-import daphnis.core.boundary.Piston
-import daphnis.core.boundary.WallSurface
 import daphnis.core.input.InputException
 import daphnis.core.input.ValueCheck
 import daphnis.core.orbit.OrbitalFrequencies
+import daphnis.core.wall.Piston
+import daphnis.core.wall.Wall
 import kotlinx.serialization.SerialName
 import kotlinx.serialization.Serializable
 import java.util.function.DoubleFunction
@@ -152,7 +152,7 @@ public sealed interface BoundarySpec {
                 }
                 check.must(
                     "${WallFacesSpec.KEY}.${WallFacesSpec.NAMES[face]}",
-                    own[face]?.motion !is Piston || !isRough,
+                    own[face]?.motion?.isKnownAhead != false || !isRough,
                 ) {
                     "is a piston, which cannot be rough"
                 }
@@ -162,17 +162,17 @@ public sealed interface BoundarySpec {
             return walls
         }
 
-        private fun isEnclosed(axis: Int, box: Box, shapes: List<WallSurface>) =
+        private fun isEnclosed(axis: Int, box: Box, shapes: List<Wall>) =
             shapes.any { it.encloses(axis, box.lower(axis), box.upper(axis)) }
 
         /** Along an axis without walls the box repeats, and a surface must repeat with it. */
-        private fun checkShapes(shapes: List<WallSurface>, walled: BooleanArray, box: Box, check: ValueCheck) {
+        private fun checkShapes(shapes: List<Wall>, walled: BooleanArray, box: Box, check: ValueCheck) {
             for ((k, shape) in shapes.withIndex()) {
                 val key = "$SURFACES[$k]"
                 check.must(key, !box.space.isPlane || shape.isSameAlong(2)) {
                     "is not the same everywhere along z; with dimensions 2 take a cylinder along z, or a plane along it"
                 }
-                check.must("$key.belt", !box.space.isPlane || !shape.isPlane || shape.turning[2] == 0.0) {
+                check.must("$key.belt", !box.space.isPlane || !shape.glides(2)) {
                     "moves along z, out of the plane of the discs"
                 }
                 for (axis in 0 until box.space.dimensions) {

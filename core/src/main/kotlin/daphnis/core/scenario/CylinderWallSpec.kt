@@ -1,13 +1,14 @@
 package daphnis.core.scenario
 
-import daphnis.core.boundary.WallSurface
 import daphnis.core.input.ValueCheck
 import daphnis.core.surface.RoughnessSpec
-import kotlinx.serialization.SerialName
-import kotlinx.serialization.Serializable
+import daphnis.core.wall.CylinderWall
+import daphnis.core.wall.Wall
 import java.util.function.DoubleFunction
 import kotlin.math.PI
 import kotlin.math.abs
+import kotlinx.serialization.SerialName
+import kotlinx.serialization.Serializable
 
 /**
  * @property point on the axis
@@ -28,12 +29,12 @@ public class CylinderWallSpec @JvmOverloads constructor(
 ) : WallSurfaceSpec {
     override val slides: Boolean get() = angularVelocity != 0.0
 
-    override fun surface(key: String, check: ValueCheck): WallSurface {
+    override fun surface(key: String, check: ValueCheck): Wall {
         val its = WallTraits(this, key, check)
         check.extent("$key.radius", radius)
         check.speed("$key.angularVelocity", angularVelocity * radius)
         val (at, along) = its.vector("point", point) to its.direction("axis", axis)
-        return WallSurface.Cylinder(at, along, radius, room.side, its.face, its.roughness, angularVelocity)
+        return CylinderWall(at, along, radius, room.side, its.face, its.roughness, angularVelocity)
     }
 
     override fun extent(axis: Int): ClosedFloatingPointRange<Double>? =

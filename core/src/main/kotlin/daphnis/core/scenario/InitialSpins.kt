@@ -1,7 +1,6 @@
 package daphnis.core.scenario
 
 import daphnis.core.boundary.BoundaryConditions
-import daphnis.core.boundary.hasRoughWalls
 import daphnis.core.initial.GaussianVelocities
 import daphnis.core.initial.SeededRandom
 import daphnis.core.initial.SpinsSpec
@@ -19,7 +18,7 @@ internal class InitialSpins(
     val areThere: Boolean
         get() = scenario.roughness != null ||
             scenario.contacts.any { it.roughness != null } ||
-            boundary.hasRoughWalls
+            boundary.walls.any { it.roughness != null }
 
     /** Moment of inertia over mass · radius². */
     val momentFactor: Double get() = scenario.momentFactor

@@ -2,8 +2,6 @@ package daphnis.core.scenario
 
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
-import daphnis.core.boundary.RoomSide
-import daphnis.core.boundary.hasMovingWalls
 import daphnis.core.boundary.roomAt
 import daphnis.core.boundary.roomIn
 import daphnis.core.format.Snapshot
@@ -11,6 +9,7 @@ import daphnis.core.initial.PlacementException
 import daphnis.core.initial.SeededRandom
 import daphnis.core.input.ValueCheck
 import daphnis.core.population.Population
+import daphnis.core.wall.RoomSide
 
 /**
  * Makes the population from which a scenario starts. Sizes, places and velocities are drawn from separate streams, so
@@ -27,7 +26,7 @@ internal class InitialState(
     private val start: Snapshot? = null,
 ) {
     /** Where spheres can be at the start: walls that move may not be at the faces of the box then. */
-    private val room = if (boundary.hasMovingWalls) roomAtStart() else box
+    private val room = roomAtStart()
 
     private fun roomAtStart(): Box = try {
         boundary.roomAt(scenario.startTime)
@@ -89,9 +88,9 @@ internal class InitialState(
     }
 
     private fun checkRadii(radii: DoubleArray) {
-        for ((k, surface) in boundary.surfaces.withIndex()) {
+        for ((k, surface) in boundary.walls.surfaces.withIndex()) {
             val most = radii.max()
-            val fits = surface.side == RoomSide.OUTSIDE || surface.radius > most
+            val fits = surface.fits(most)
             check.that("$SURFACES[$k].radius", surface.radius, fits) {
                 "must exceed that of the largest sphere, $most"
             }

@@ -43,7 +43,7 @@ internal class OverlapRepair(
             }
         }
         val p = population
-        for (surface in boundary.surfaces) {
+        for (surface in boundary.walls.surfaces) {
             for (k in 0 until p.size) {
                 val r = p.radius[k]
                 val depth = (r - surface.distance(p.x[k], p.y[k], p.z[k], time)) / r
@@ -180,7 +180,7 @@ internal class OverlapRepair(
         var isMoved = false
         val normal = DoubleArray(3)
         val p = population
-        for (surface in boundary.surfaces) {
+        for (surface in boundary.walls.surfaces) {
             for (k in 0 until p.size) {
                 val r = p.radius[k]
                 val out = r - surface.distance(p.x[k], p.y[k], p.z[k], time)

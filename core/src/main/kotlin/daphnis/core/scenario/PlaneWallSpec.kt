@@ -1,14 +1,15 @@
 package daphnis.core.scenario
 
-import daphnis.core.boundary.WallSurface
 import daphnis.core.input.ValueCheck
 import daphnis.core.surface.RoughnessSpec
-import kotlinx.serialization.SerialName
-import kotlinx.serialization.Serializable
+import daphnis.core.wall.PlaneWall
+import daphnis.core.wall.Wall
 import java.util.function.DoubleFunction
 import kotlin.math.abs
 import kotlin.math.atan2
 import kotlin.math.sqrt
+import kotlinx.serialization.SerialName
+import kotlinx.serialization.Serializable
 
 /** @property belt velocity of the surface along itself */
 @Serializable
@@ -24,7 +25,7 @@ public class PlaneWallSpec @JvmOverloads constructor(
 ) : WallSurfaceSpec {
     override val slides: Boolean get() = belt.any { it != 0.0 }
 
-    override fun surface(key: String, check: ValueCheck): WallSurface {
+    override fun surface(key: String, check: ValueCheck): Wall {
         val its = WallTraits(this, key, check)
         val n = its.direction("normal", normal)
         its.vector("belt", belt).forEachIndexed { k, it -> check.speed("$key.belt[$k]", it) }
@@ -37,7 +38,7 @@ public class PlaneWallSpec @JvmOverloads constructor(
         check.must("$key.motion", motion?.isFree != true) {
             "is of a piston, which must be a face of the box; give it in ${WallFacesSpec.KEY}"
         }
-        return WallSurface.Plane(its.vector("point", point), n, its.face, its.roughness, belt)
+        return PlaneWall(its.vector("point", point), n, its.face, its.roughness, belt)
     }
 
     /** Its outline in what is seen, and a lattice. */

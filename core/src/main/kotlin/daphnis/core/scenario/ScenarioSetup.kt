@@ -6,7 +6,6 @@ import daphnis.core.StoppingTimeStep
 import daphnis.core.Stops
 import daphnis.core.TimeStep
 import daphnis.core.boundary.BoundaryConditions
-import daphnis.core.boundary.hasPistons
 import daphnis.core.collision.CollapseGuard
 import daphnis.core.collision.GuardSpec
 import daphnis.core.engine.CollisionEngine
@@ -81,7 +80,7 @@ public class ScenarioSetup private constructor(
         law: ContactLaw = restitution,
         roughness: Roughness? = this.roughness,
     ): CollisionForcing {
-        val records = recordCollisions || boundary.hasPistons
+        val records = recordCollisions || !boundary.walls.areKnownAhead
         return CollisionForcing(law, guard, engine, records, scenario.search, roughness, momentFactor)
     }
 

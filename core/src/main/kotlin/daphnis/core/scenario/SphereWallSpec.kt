@@ -1,12 +1,13 @@
 package daphnis.core.scenario
 
-import daphnis.core.boundary.WallSurface
 import daphnis.core.input.ValueCheck
 import daphnis.core.surface.RoughnessSpec
-import kotlinx.serialization.SerialName
-import kotlinx.serialization.Serializable
+import daphnis.core.wall.SphereWall
+import daphnis.core.wall.Wall
 import java.util.function.DoubleFunction
 import kotlin.math.PI
+import kotlinx.serialization.SerialName
+import kotlinx.serialization.Serializable
 
 /**
  * @property room where the spheres are: outside, it is a body that is fixed, or moves as told
@@ -28,7 +29,7 @@ public class SphereWallSpec @JvmOverloads constructor(
 ) : WallSurfaceSpec {
     override val slides: Boolean get() = angularVelocity.any { it != 0.0 }
 
-    override fun surface(key: String, check: ValueCheck): WallSurface {
+    override fun surface(key: String, check: ValueCheck): Wall {
         val its = WallTraits(this, key, check)
         check.extent("$key.radius", radius)
         its.vector("angularVelocity", angularVelocity).forEachIndexed { k, it ->
@@ -38,7 +39,7 @@ public class SphereWallSpec @JvmOverloads constructor(
             "is of a sphere with the room outside, and steady or a sine"
         }
         val (at, way) = its.vector("centre", centre) to its.direction("along", along)
-        return WallSurface.Sphere(at, radius, room.side, its.face, its.roughness, angularVelocity, way)
+        return SphereWall(at, radius, room.side, its.face, its.roughness, angularVelocity, way)
     }
 
     override fun extent(axis: Int): ClosedFloatingPointRange<Double>? = around(centre[axis], radius, room)

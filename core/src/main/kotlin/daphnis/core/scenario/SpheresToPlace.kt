@@ -44,7 +44,7 @@ public class SpheresToPlace internal constructor(
 
     /** For a placement that goes neither around bodies nor within surfaces. */
     internal fun refuseObstacles() {
-        check.must("placement", boundary.surfaces.isEmpty()) {
+        check.must("placement", boundary.walls.surfaces.isEmpty()) {
             "must be random, or a file, in a room with boundary.surfaces"
         }
         check.must("bodies", scenario.bodies.isEmpty()) { "need random placement, which goes around them" }
@@ -56,7 +56,7 @@ public class SpheresToPlace internal constructor(
             return grown.middle(radii.size)
         }
         val placement = RandomPlacement(obstacles = bodies.obstacles, threads = scenario.engine.threadsAtStart)
-        return placement.within(boundary.surfaces, scenario.startTime).place(radii, room, walled, random())
+        return placement.within(boundary.walls.surfaces, scenario.startTime).place(radii, room, walled, random())
     }
 
     internal fun onLattice(lattice: Lattice, vacancies: Double): Positions {

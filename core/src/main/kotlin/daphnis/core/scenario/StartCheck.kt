@@ -53,7 +53,7 @@ internal class StartCheck(
                 // Moonlets may stick out of the slab in which particles are placed.
                 ContactFaces.OPEN, ContactFaces.WRAPPING -> {
                     // Of an axis that a surface closes.
-                    if (isKnown && boundary.surfaces.isNotEmpty()) walls.checkFall(axis, timeStep.next(population))
+                    if (isKnown && boundary.walls.surfaces.isNotEmpty()) walls.checkFall(axis, timeStep.next(population))
                     val hasRoom = scenario.bodies.isNotEmpty() || length > 2 * largest
                     check.must(key, hasRoom) { "is $length; it is thinner than the largest sphere, ${2 * largest}" }
                 }
@@ -94,7 +94,7 @@ internal class StartCheck(
     }
 
     private fun checkSurfaces() {
-        for ((n, surface) in boundary.surfaces.withIndex()) {
+        for ((n, surface) in boundary.walls.surfaces.withIndex()) {
             val key = "$SURFACES[$n]"
             walls.checkDigits(key, surface)
             for (k in 0 until population.size) {

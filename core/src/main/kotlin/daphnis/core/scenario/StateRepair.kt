@@ -90,7 +90,7 @@ internal class StateRepair(
 
     private fun requireInSurfaces(population: Population) {
         val p = population
-        for ((n, surface) in boundary.surfaces.withIndex()) {
+        for ((n, surface) in boundary.walls.surfaces.withIndex()) {
             for (k in 0 until p.size) {
                 val r = p.radius[k]
                 val into = (r - surface.distance(p.x[k], p.y[k], p.z[k], scenario.startTime)) / r

@@ -1,13 +1,13 @@
 package daphnis.core.scenario
 
 import daphnis.core.boundary.BoundaryConditions
-import daphnis.core.boundary.WallMotion
-import daphnis.core.boundary.WallSurface
-import daphnis.core.boundary.leastRoom
-import daphnis.core.boundary.pistons
-import daphnis.core.boundary.planesApart
+import daphnis.core.boundary.facing
 import daphnis.core.input.ValueCheck
 import daphnis.core.population.Population
+import daphnis.core.wall.Wall
+import daphnis.core.wall.WallMotion
+import daphnis.core.wall.WallSet
+import daphnis.core.wall.pistons
 import kotlin.math.abs
 import kotlin.math.sqrt
 
@@ -26,7 +26,7 @@ internal class WallCheck(
     }
 
     private fun checkMotion(axis: Int, largest: Double, duration: Double) {
-        val motions = (0..1).mapNotNull { boundary.wallMotion(2 * axis + it) }
+        val motions = (0..1).mapNotNull { boundary.walls[2 * axis + it]?.motion }
         if (motions.isEmpty()) return
         for (motion in motions) checkCycles(motion, duration, "a wall across ${"xyz"[axis]}")
         checkRoom(axis, largest)
@@ -34,15 +34,14 @@ internal class WallCheck(
 
     /** The motions of surfaces in a step of [duration]. */
     fun checkSurfaceMotions(duration: Double) {
-        for ((n, surface) in boundary.surfaces.withIndex()) {
-            surface.face.motion?.let { checkCycles(it, duration, "$SURFACES[$n]") }
+        for ((n, surface) in boundary.walls.surfaces.withIndex()) {
+            surface.motion?.let { checkCycles(it, duration, "$SURFACES[$n]") }
         }
     }
 
     /** The distance of a sphere from [surface] at [key] is a small difference of large numbers where that is far. */
-    fun checkDigits(key: String, surface: WallSurface) {
-        val radius = if (surface.radius.isFinite()) surface.radius else 0.0
-        val farthest = maxOf(radius, surface.origin.maxOf { abs(it) })
+    fun checkDigits(key: String, surface: Wall) {
+        val farthest = surface.farthest
         val least = population.radius.minOrNull() ?: return
         check.must(key, Math.ulp(farthest) <= StartCheck.TOLERANCE * least) {
             "a $surface, has lengths of $farthest, to which distances are known to ${Math.ulp(
@@ -53,7 +52,7 @@ internal class WallCheck(
     }
 
     private fun checkCycles(motion: WallMotion, duration: Double, wall: String) {
-        val cycles = ((motion as? WallMotion.Periodic)?.frequency ?: 0.0) * duration
+        val cycles = motion.frequency * duration
         check.must("timeStep", cycles <= MOST_CYCLES) {
             "is so long that $wall has $cycles cycles in a step; take a smaller dt"
         }
@@ -69,18 +68,26 @@ internal class WallCheck(
 
     /** Planes that come near to each other. */
     fun checkPlanes(largest: Double) {
-        for (walls in boundary.planesApart(scenario.startTime, end)) {
-            check.must(walls.first, walls.apart > 2 * largest) {
-                "comes as near to ${walls.second} as ${walls.apart}; that must exceed the diameter of the largest " +
+        for (walls in boundary.walls.facing(scenario.startTime, end)) {
+            val (plane, other) =
+                if (walls.first < WallSet.FACES) walls.second to walls.first else walls.first to walls.second
+            check.must(name(plane), walls.areFaces || walls.apart > 2 * largest) {
+                "comes as near to ${name(other)} as ${walls.apart}; that must exceed the diameter of the largest " +
                     "sphere, ${2 * largest}"
             }
         }
     }
 
+    private fun name(wall: Int) = if (wall < WallSet.FACES) {
+        "the wall ${WallFacesSpec.NAMES[wall]}"
+    } else {
+        "$SURFACES[${wall - WallSet.FACES}]"
+    }
+
     /** A piston that is as light as a sphere would have to recoil within the step. */
     fun checkPistons() {
         val heaviest = population.mass.maxOrNull() ?: return
-        for ((face, piston) in boundary.pistons) {
+        for ((face, piston) in boundary.walls.pistons) {
             check.that(
                 "${WallFacesSpec.KEY}.${WallFacesSpec.NAMES[face]}.motion.mass",
                 piston.mass,
@@ -92,10 +99,9 @@ internal class WallCheck(
     }
 
     private fun checkRoom(axis: Int, largest: Double) {
-        if (boundary.wallMotion(2 * axis) == null && boundary.wallMotion(2 * axis + 1) == null) return
-        val room = boundary.leastRoom(axis, scenario.startTime, end)
-        check.must("boundary.faces", room > 2 * largest) {
-            "lets the walls across ${"xyz"[axis]} come as near to each other as $room; " +
+        val room = boundary.walls.facing(scenario.startTime, end).find { it.areFaces && it.first shr 1 == axis } ?: return
+        check.must("boundary.faces", room.apart > 2 * largest) {
+            "lets the walls across ${"xyz"[axis]} come as near to each other as ${room.apart}; " +
                 "that must exceed the diameter of the largest sphere, ${2 * largest}"
         }
     }

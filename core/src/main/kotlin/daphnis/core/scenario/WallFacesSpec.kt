@@ -1,9 +1,9 @@
 package daphnis.core.scenario
 
-import daphnis.core.boundary.WallFace
 import daphnis.core.input.ValueCheck
-import kotlinx.serialization.Serializable
+import daphnis.core.wall.WallFace
 import java.util.function.DoubleFunction
+import kotlinx.serialization.Serializable
 
 /** What a wall has of its own, see [WallFace]. */
 @Serializable

@@ -1,10 +1,10 @@
 package daphnis.core.scenario
 
-import daphnis.core.boundary.WallMotion
 import daphnis.core.input.ValueCheck
+import daphnis.core.wall.WallMotion
+import java.util.function.DoubleFunction
 import kotlinx.serialization.SerialName
 import kotlinx.serialization.Serializable
-import java.util.function.DoubleFunction
 
 /** How a wall moves along the axis across it, see [WallMotion]; toward greater coordinates is positive. */
 @Serializable
@@ -49,7 +49,7 @@ public sealed interface WallMotionSpec {
     }
 
     /**
-     * A wall with a mass, see [daphnis.core.boundary.Piston].
+     * A wall with a mass, see [daphnis.core.wall.Piston].
      *
      * @property mass its mass
      * @property force along the axis
@@ -72,7 +72,7 @@ public sealed interface WallMotionSpec {
             check.that("$key.force", force, force.isFinite()) { "must be finite" }
             check.that("$key.position", position, position.isFinite()) { "must be finite" }
             check.speed("$key.velocity", velocity)
-            return daphnis.core.boundary.Piston(mass, force, position, velocity)
+            return daphnis.core.wall.Piston(mass, force, position, velocity)
         }
 
         override fun beginningWith(begin: List<Double>): WallMotionSpec = Piston(mass, force, begin[0], begin[1])

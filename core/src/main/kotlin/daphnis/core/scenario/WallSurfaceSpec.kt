@@ -1,20 +1,20 @@
 package daphnis.core.scenario
 
-import daphnis.core.boundary.RoomSide
-import daphnis.core.boundary.WallFace
-import daphnis.core.boundary.WallSurface
 import daphnis.core.input.Kind
 import daphnis.core.input.Kinds
 import daphnis.core.input.ValueCheck
 import daphnis.core.surface.Roughness
 import daphnis.core.surface.RoughnessSpec
-import kotlinx.serialization.SerialName
-import kotlinx.serialization.Serializable
+import daphnis.core.wall.RoomSide
+import daphnis.core.wall.Wall
+import daphnis.core.wall.WallFace
 import java.util.function.DoubleFunction
 import kotlin.math.abs
+import kotlinx.serialization.SerialName
+import kotlinx.serialization.Serializable
 
 /**
- * A wall that is not a face of the box as a scenario describes it, see [WallSurface]: what others ask of a wall is asked
+ * A wall that is not a face of the box as a scenario describes it, see [Wall]: what others ask of a wall is asked
  * here, and nobody asks which one it is. Points, vectors and velocities are three numbers, along x, y, z.
  *
  * @property restitution its own; that of the walls when left out
@@ -38,7 +38,7 @@ public interface WallSurfaceSpec {
      *
      * @throws daphnis.core.input.InputException for values that are wrong
      */
-    public fun surface(key: String, check: ValueCheck): WallSurface
+    public fun surface(key: String, check: ValueCheck): Wall
 
     /** Between which coordinates it keeps spheres along [axis]; null where it does not. */
     public fun extent(axis: Int): ClosedFloatingPointRange<Double>? = null

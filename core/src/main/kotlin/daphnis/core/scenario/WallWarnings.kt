@@ -1,9 +1,9 @@
 package daphnis.core.scenario
 
-import daphnis.core.boundary.Piston
-import daphnis.core.boundary.WallMotion
-import daphnis.core.boundary.pistons
 import daphnis.core.population.granularTemperature
+import daphnis.core.wall.Piston
+import daphnis.core.wall.WallMotion
+import daphnis.core.wall.pistons
 import java.util.Locale
 import kotlin.math.abs
 import kotlin.math.sqrt
@@ -28,13 +28,13 @@ internal fun fastWall(setup: ScenarioSetup, dt: Double): String? {
 }
 
 private fun frequency(setup: ScenarioSetup, face: Int): Double =
-    (setup.boundary.wallMotion(face) as? WallMotion.Periodic)?.takeIf { it.amplitude > 0 }?.frequency ?: 0.0
+    setup.boundary.walls[face]?.motion?.takeIf { it.amplitude > 0 }?.frequency ?: 0.0
 
 /** A piston whose force changes its speed in a step of [dt] by more than a part of that of spheres. */
 internal fun coarsePiston(setup: ScenarioSetup, dt: Double): String? {
     val speed = sqrt(granularTemperature(setup.population, setup.boundary, setup.scenario.firstBody))
     fun part(piston: Piston) = abs(piston.force) / piston.mass * dt / speed
-    val (face, piston) = setup.boundary.pistons.entries.maxByOrNull { part(it.value) } ?: return null
+    val (face, piston) = setup.boundary.walls.pistons.entries.maxByOrNull { part(it.value) } ?: return null
     if (!(speed > 0) || part(piston) <= MOST_OF_SPEED) return null
     return String.format(
         Locale.ROOT,

@@ -4,8 +4,8 @@ import daphnis.core.collision.CollisionCounters
 import daphnis.core.collision.CollisionOutcome
 import daphnis.core.collision.CollisionRecord
 import daphnis.core.collision.StepRows
-import daphnis.core.collision.WallContact
 import daphnis.core.queue.Schedule
+import daphnis.core.wall.WallContact
 
 /**
  * What an engine does with a potential collision whose time has come: it moves the two spheres to the moment of contact
@@ -99,7 +99,7 @@ internal open class Impact(
 
     private fun bounce(time: Double, first: Int, wall: Int) {
         val walls = prepared.walls
-        walls.reflect(rows, first, WallContact.face(wall), time, outcome)
+        walls.reflect(rows, first, WallContact.number(wall), time, outcome)
         if (!isCounted(first, first)) return
         counted.wallCollisions++
         if (walls.areDriven) record?.add(time, wall, rows.id[first], outcome)

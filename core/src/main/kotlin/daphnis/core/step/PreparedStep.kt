@@ -3,7 +3,6 @@ package daphnis.core.step
 import daphnis.core.api.EngineApi
 import daphnis.core.boundary.prepare
 import daphnis.core.collision.StepRows
-import daphnis.core.collision.WallContact
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.SphereColumns
@@ -14,6 +13,7 @@ import daphnis.core.search.Reach
 import daphnis.core.search.RowBounds
 import daphnis.core.search.StepBounds
 import daphnis.core.space.Images
+import daphnis.core.wall.WallContact
 
 /**
  * A step made ready for its collisions: the single owner of the spheres' order, their rows, the bounds on how far they
@@ -124,7 +124,7 @@ public class PreparedStep @JvmOverloads constructor(sort: GridSort = GridSort.CO
         this.spheres = spheres
         this.middle = middle
         duration = step.duration
-        walls.prepare(step.boundary, step.law, step.start, step.duration)
+        walls.prepare(step.boundary.walls, step.law, step.start, step.duration)
     }
 
     /** Sorts the spheres into the grid and copies them, as they are at the start of the step. */
@@ -185,15 +185,7 @@ public class PreparedStep @JvmOverloads constructor(sort: GridSort = GridSort.CO
 
     /** Queues the potential collisions of the sphere at [place] of [rows] with walls, until the time [until]. */
     internal fun queueWalls(rows: StepRows, place: Int, sink: EventSink, until: Double = duration) {
-        if (!walls.present) return
-        for (face in 0 until WallContact.FACES) {
-            val t = walls.time(rows, place, face)
-            if (t <= until) sink.add(t, place, WallContact.partner(face), 0)
-        }
-        for (k in 0 until walls.surfaceCount) {
-            val t = walls.timeOfSurface(rows, place, k)
-            if (t <= until) sink.add(t, place, WallContact.partner(WallContact.FACES + k), 0)
-        }
+        walls.each(rows, place, until) { t, partner -> sink.add(t, place, partner, 0) }
     }
 
     /** Moves every sphere to the end of the step and writes all to the population, see [StepRows.store]. */

@@ -223,7 +223,7 @@ class BoundaryContractTest {
             assertEquals(faces == ContactFaces.PERIODIC || faces == ContactFaces.WRAPPING, boundary.repeats(axis))
             assertTrue(faces == ContactFaces.OPEN || boundary.box.length(axis).isFinite())
         }
-        assertTrue(boundary.wallRestitution in 0.0..1.0)
+        assertTrue(boundary.walls.restitution in 0.0..1.0)
         val shear = boundary.shear ?: return
         val flow = boundary.meanFlow!!
         assertTrue(boundary.hasImages(shear.normalAxis) && boundary.hasImages(shear.slideAxis))

@@ -11,6 +11,8 @@ class ShearedChannel(override val box: Box, rate: Double) : PerSphereBoundary {
     override val meanFlow = MeanFlow(normalAxis = 1, flowAxis = 0, rate = rate)
     override val shear = ImageShear(box, meanFlow)
 
+    override val walls = Walls.faces(box, 1.0, 2)
+
     override fun contactFaces(axis: Int) = if (axis == 2) ContactFaces.WALL else ContactFaces.PERIODIC
 }
 

@@ -49,7 +49,7 @@ class FacesTest {
                 assertEquals(ContactFaces.OPEN, boundary.contactFaces(axis))
                 assertEquals(false, boundary.repeats(axis))
             }
-            assertEquals(listOf(null, null, 1.0), listOf(boundary.shear, boundary.meanFlow, boundary.wallRestitution))
+            assertEquals(listOf(null, null, 1.0), listOf(boundary.shear, boundary.meanFlow, boundary.walls.restitution))
         }
         for (axis in 0..2) {
             assertEquals(listOf(true, true, true), wrapping.map { it.repeats(axis) })
@@ -105,7 +105,7 @@ class FacesTest {
             ShearedPeriodic(thin, 0.1),
             object : PerSphereBoundary by wrapping[0] {},
         )
-        assertEquals(keeping.map { true } + others.map { false }, (keeping + others).map { it.keepsFinite() })
+        assertEquals(keeping.map { true } + others.map { false }, (keeping + others).map { it.keepsFinite(it) })
     }
 
     @Test
@@ -117,7 +117,7 @@ class FacesTest {
         for (e in listOf(-0.1, 1.1, Double.NaN)) {
             assertThrows(IllegalArgumentException::class.java) { Walls(box, e) }
         }
-        for (e in listOf(0.0, 1.0)) assertEquals(e, Walls(box, e).wallRestitution)
+        for (e in listOf(0.0, 1.0)) assertEquals(e, Walls(box, e).walls.restitution)
         for (n in listOf(2, 4)) {
             assertThrows(IllegalArgumentException::class.java) { Walls(box, walled = BooleanArray(n)) }
         }

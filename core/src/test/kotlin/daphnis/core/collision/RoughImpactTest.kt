@@ -17,6 +17,7 @@ import daphnis.core.surface.ConstantRestitution
 import daphnis.core.surface.ConstantRoughness
 import daphnis.core.surface.CoulombRoughness
 import daphnis.core.surface.Roughness
+import daphnis.core.wall.WallContact
 import java.math.BigDecimal
 import kotlin.math.abs
 import kotlin.math.sqrt
@@ -158,7 +159,7 @@ class RoughImpactTest {
             val rows = rows(drawn.population)
             val roughness = List(6) { if (it == face) drawn.roughness else null }
             val law = CollisionLaw(ConstantRestitution(1.0), momentFactor = drawn.q)
-            val walls = WallContact().apply { prepare(Walls(box, drawn.e, roughness = roughness), law) }
+            val walls = WallContact().apply { prepare(Walls(box, drawn.e, roughness = roughness).walls, law) }
             walls.reflect(rows, 0, face, 0.0, outcome)
             assertSame(expected, rows, 0, drawn.scale, "seed $seed, face $face")
             // The opposite one is smooth.
@@ -215,7 +216,7 @@ class RoughImpactTest {
         val law = CollisionLaw(ConstantRestitution(1.0), NoGuard, roughness, 0.5)
         for ((a, b) in listOf(0 to 1, 1 to 0)) law.collide(rows(p), a, b, 0, still, 0.0, outcome)
         val rough = Walls(Box.centred(8.0, 8.0, 8.0), roughness = List(6) { roughness })
-        val walls = WallContact().apply { prepare(rough, law) }
+        val walls = WallContact().apply { prepare(rough.walls, law) }
         walls.reflect(rows(p), 0, 1, 0.0, outcome)
         val infinity = Double.POSITIVE_INFINITY
         val pair = listOf(0.5, 1.5, 2.0, 7.0, 0.5)

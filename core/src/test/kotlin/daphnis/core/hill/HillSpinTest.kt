@@ -10,7 +10,6 @@ import daphnis.core.boundary.prepare
 import daphnis.core.collision.CollisionLaw
 import daphnis.core.collision.CollisionOutcome
 import daphnis.core.collision.StepRows
-import daphnis.core.collision.WallContact
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.force.Drift
 import daphnis.core.initial.SeededRandom
@@ -20,6 +19,7 @@ import daphnis.core.populationOf
 import daphnis.core.space.Images
 import daphnis.core.surface.ConstantRestitution
 import daphnis.core.surface.CoulombRoughness
+import daphnis.core.wall.WallContact
 import kotlin.math.abs
 import kotlin.math.cos
 import kotlin.math.sin
@@ -81,7 +81,7 @@ class HillSpinTest {
             assertSame(one, two, time, "seed $seed")
             val walls = Walls(Box.centred(9.0, 9.0, 9.0), roughness = List(6) { law })
             for ((rows, its) in listOf(one to turning, two to still)) {
-                val contact = WallContact().apply { prepare(walls, its) }
+                val contact = WallContact().apply { prepare(walls.walls, its) }
                 contact.reflect(rows, 0, (seed % 6).toInt(), time, CollisionOutcome())
             }
             assertSame(one, two, time, "seed $seed, wall")

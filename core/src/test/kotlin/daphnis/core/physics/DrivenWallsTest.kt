@@ -3,8 +3,6 @@ package daphnis.core.physics
 import daphnis.core.FixedTimeStep
 import daphnis.core.Simulation
 import daphnis.core.boundary.Box
-import daphnis.core.boundary.WallFace
-import daphnis.core.boundary.WallMotion
 import daphnis.core.boundary.Walls
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.force.UniformAcceleration
@@ -14,11 +12,13 @@ import daphnis.core.population.Population
 import daphnis.core.run.CollisionStatistics
 import daphnis.core.run.WallStatistics
 import daphnis.core.surface.ConstantRestitution
+import daphnis.core.wall.WallFace
+import daphnis.core.wall.WallMotion
+import kotlin.math.abs
+import kotlin.math.sqrt
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
-import kotlin.math.abs
-import kotlin.math.sqrt
 
 /**
  * Gases between walls: under gravity, at a piston, and between thermal walls. The equation of state is that of Carnahan
@@ -76,7 +76,7 @@ class DrivenWallsTest {
         val box = Box.centred(8.0, 8.0, 8.0)
         val means = (1L..4L).map { seed ->
             val p = gas(60, box, BooleanArray(3) { true }, seed)
-            val walls = Walls(box, faces = List(6) { WallFace(temperature = temperature) }, wallSeed = seed)
+            val walls = Walls(box, faces = List(6) { WallFace(temperature = temperature) }, seed = seed)
             val simulation = Simulation(p, walls, CollisionForcing(ConstantRestitution(1.0)), FixedTimeStep(0.5))
             while (simulation.time < 30) simulation.advance()
             var sum = 0.0

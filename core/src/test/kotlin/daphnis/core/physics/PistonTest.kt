@@ -4,11 +4,9 @@ import daphnis.core.FixedTimeStep
 import daphnis.core.Output
 import daphnis.core.Simulation
 import daphnis.core.boundary.Box
-import daphnis.core.boundary.Piston
-import daphnis.core.boundary.WallFace
+import daphnis.core.boundary.Pistons
 import daphnis.core.boundary.Walls
 import daphnis.core.collision.CollisionRecord
-import daphnis.core.collision.Pistons
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.engine.SerialEngine
@@ -21,14 +19,16 @@ import daphnis.core.population.Population
 import daphnis.core.population.stateDigest
 import daphnis.core.surface.ConstantRestitution
 import daphnis.core.surface.ConstantRoughness
+import daphnis.core.wall.Piston
+import daphnis.core.wall.WallFace
+import kotlin.math.abs
+import kotlin.math.pow
+import kotlin.math.sqrt
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNotEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
-import kotlin.math.abs
-import kotlin.math.pow
-import kotlin.math.sqrt
 
 /** Gases of spheres of mass 1 and temperature 1 under pistons across x. */
 class PistonTest {

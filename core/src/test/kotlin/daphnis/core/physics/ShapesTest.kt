@@ -3,10 +3,6 @@ package daphnis.core.physics
 import daphnis.core.FixedTimeStep
 import daphnis.core.Simulation
 import daphnis.core.boundary.Box
-import daphnis.core.boundary.RoomSide
-import daphnis.core.boundary.WallFace
-import daphnis.core.boundary.WallMotion
-import daphnis.core.boundary.WallSurface
 import daphnis.core.boundary.Walls
 import daphnis.core.collision.FloorSpeedGuard
 import daphnis.core.engine.CollisionForcing
@@ -17,6 +13,13 @@ import daphnis.core.population.Population
 import daphnis.core.run.WallStatistics
 import daphnis.core.surface.ConstantRestitution
 import daphnis.core.surface.CoulombRoughness
+import daphnis.core.wall.CylinderWall
+import daphnis.core.wall.PlaneWall
+import daphnis.core.wall.RoomSide
+import daphnis.core.wall.SphereWall
+import daphnis.core.wall.Wall
+import daphnis.core.wall.WallFace
+import daphnis.core.wall.WallMotion
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
@@ -32,7 +35,7 @@ class ShapesTest {
     private fun gas(count: Int, walls: Walls, seed: Long, radius: Double): Population {
         val random = SeededRandom(seed)
         val radii = DoubleArray(count) { radius }
-        val places = RandomPlacement().within(walls.surfaces).place(radii, walls.box, all, random)
+        val places = RandomPlacement().within(walls.walls.surfaces).place(radii, walls.box, all, random)
         fun gauss() = DoubleArray(count) { random.nextGaussian() }
         return Population(places.x, places.y, places.z, gauss(), gauss(), gauss(), radii, DoubleArray(count) { 1.0 })
     }
@@ -42,7 +45,7 @@ class ShapesTest {
     }
 
     /** Pressure times volume over N T, with the second virial coefficient, of what a gas gives to the first surface. */
-    private fun pressure(surface: WallSurface, box: Box, area: Double, room: Double, seed: Long): Double {
+    private fun pressure(surface: Wall, box: Box, area: Double, room: Double, seed: Long): Double {
         val walls = Walls(box, surfaces = listOf(surface))
         val p = gas(100, walls, seed, RADIUS)
         val forcing = CollisionForcing(ConstantRestitution(1.0), recordCollisions = true)
@@ -66,9 +69,9 @@ class ShapesTest {
         val r = 6.0
         val edge = 10.0
         val belt = listOf(1.0, 0.0, -1.0)
-        val plane = WallSurface.Plane(origin, listOf(1.0, 0.0, 1.0), belt = belt)
-        val drum = WallSurface.Cylinder(origin, alongX, r + RADIUS, angularVelocity = 1.0)
-        val vessel = WallSurface.Sphere(origin, r + RADIUS, angularVelocity = listOf(1.0, 0.0, 0.0))
+        val plane = PlaneWall(origin, listOf(1.0, 0.0, 1.0), belt = belt)
+        val drum = CylinderWall(origin, alongX, r + RADIUS, angularVelocity = 1.0)
+        val vessel = SphereWall(origin, r + RADIUS, angularVelocity = listOf(1.0, 0.0, 0.0))
         val cube = Box.centred(edge, edge, edge)
         val c = edge - 2 * RADIUS
         // The corner that is cut off from the cube of centres, by a plane at the distance of a radius.
@@ -98,10 +101,10 @@ class ShapesTest {
     fun `a gas that falls keeps its energy over 300 bounces however long the step`() {
         for (dt in listOf(0.03, 0.2, 0.8)) {
             val surfaces = listOf(
-                listOf(WallSurface.Sphere(origin, 3.0), WallSurface.Sphere(origin, 0.7, RoomSide.OUTSIDE)),
+                listOf(SphereWall(origin, 3.0), SphereWall(origin, 0.7, RoomSide.OUTSIDE)),
                 listOf(
-                    WallSurface.Cylinder(listOf(0.0, 0.2, 0.0), listOf(0.3, 1.0, 0.2), 3.0),
-                    WallSurface.Plane(listOf(0.0, 0.0, -0.5), listOf(0.2, 0.1, 1.0)),
+                    CylinderWall(listOf(0.0, 0.2, 0.0), listOf(0.3, 1.0, 0.2), 3.0),
+                    PlaneWall(listOf(0.0, 0.0, -0.5), listOf(0.2, 0.1, 1.0)),
                 ),
             )
             for (shape in surfaces) {
@@ -120,7 +123,7 @@ class ShapesTest {
 
     @Test
     fun `in a spherical vessel each free sphere keeps its angular momentum`() {
-        val walls = Walls(Box.centred(8.0, 8.0, 8.0), surfaces = listOf(WallSurface.Sphere(origin, 3.0)))
+        val walls = Walls(Box.centred(8.0, 8.0, 8.0), surfaces = listOf(SphereWall(origin, 3.0)))
         val p = gas(1, walls, 5, 0.2)
         fun momentum() = doubleArrayOf(
             p.y[0] * p.vz[0] - p.z[0] * p.vy[0],
@@ -144,7 +147,7 @@ class ShapesTest {
         val rho = 4.5
         val v = sqrt(part * rho)
         val turns = if (start == Start.CARRIED) v / rho else 0.0
-        val drum = WallSurface.Cylinder(
+        val drum = CylinderWall(
             origin,
             alongX,
             5.0,
@@ -188,10 +191,10 @@ class ShapesTest {
     @Test
     fun `a plastic grain stays in a wedge of two planes and in a bowl, with a bound on its bounces`() {
         val wedge = listOf(
-            WallSurface.Plane(origin, listOf(1.0, 0.0, 0.4), WallFace(restitution = 0.5)),
-            WallSurface.Plane(origin, listOf(-1.0, 0.0, 0.3), WallFace(restitution = 0.0)),
+            PlaneWall(origin, listOf(1.0, 0.0, 0.4), WallFace(restitution = 0.5)),
+            PlaneWall(origin, listOf(-1.0, 0.0, 0.3), WallFace(restitution = 0.0)),
         )
-        val bowl = listOf(WallSurface.Sphere(listOf(0.0, 0.0, 2.0), 3.0, face = WallFace(restitution = 0.5)))
+        val bowl = listOf(SphereWall(listOf(0.0, 0.0, 2.0), 3.0, face = WallFace(restitution = 0.5)))
         for (shape in listOf(wedge, bowl)) {
             val walls = Walls(Box.centred(20.0, 20.0, 20.0), surfaces = shape)
             val p = gas(1, walls, 8, 0.3)
@@ -215,7 +218,7 @@ class ShapesTest {
     fun `a body that moves steadily through resting spheres throws them as two masses, one infinite, do`() {
         val speed = 0.5
         val face = WallFace(motion = WallMotion.Steady(speed))
-        val body = WallSurface.Sphere(listOf(-5.0, 0.0, 0.0), 1.0, RoomSide.OUTSIDE, face, along = alongX)
+        val body = SphereWall(listOf(-5.0, 0.0, 0.0), 1.0, RoomSide.OUTSIDE, face, along = alongX)
         val walls = Walls(Box.centred(40.0, 40.0, 40.0), surfaces = listOf(body))
         fun column(x: Double) = doubleArrayOf(x)
         val p = Population(

@@ -3,18 +3,18 @@ package daphnis.core.physics
 import daphnis.core.FixedTimeStep
 import daphnis.core.Simulation
 import daphnis.core.boundary.Box
-import daphnis.core.boundary.WallFace
-import daphnis.core.boundary.WallMotion
 import daphnis.core.boundary.Walls
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.force.UniformAcceleration
 import daphnis.core.initial.SeededRandom
 import daphnis.core.population.Population
 import daphnis.core.surface.ConstantRestitution
-import org.junit.jupiter.api.Assertions.assertTrue
-import org.junit.jupiter.api.Test
+import daphnis.core.wall.WallFace
+import daphnis.core.wall.WallMotion
 import kotlin.math.abs
 import kotlin.math.sqrt
+import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Test
 
 /** Steps of many cycles of a wall, or of many bounces, change nothing: contacts within a step are exact. */
 class VibratingWallTest {

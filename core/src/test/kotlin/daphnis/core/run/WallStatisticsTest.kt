@@ -4,10 +4,7 @@ import daphnis.core.FixedTimeStep
 import daphnis.core.OutputState
 import daphnis.core.Simulation
 import daphnis.core.boundary.Box
-import daphnis.core.boundary.WallFace
-import daphnis.core.boundary.WallMotion
 import daphnis.core.boundary.Walls
-import daphnis.core.collision.WallContact
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.force.UniformAcceleration
 import daphnis.core.initial.SeededRandom
@@ -16,6 +13,9 @@ import daphnis.core.randomSpheres
 import daphnis.core.surface.ConstantRestitution
 import daphnis.core.surface.ConstantRoughness
 import daphnis.core.surface.Roughness
+import daphnis.core.wall.WallContact
+import daphnis.core.wall.WallFace
+import daphnis.core.wall.WallMotion
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
@@ -48,7 +48,7 @@ class WallStatisticsTest {
     private fun bed(faces: List<WallFace?>, rough: Roughness? = null): Bed {
         val isThermal = { face: Int -> faces[face]?.temperature != null }
         val roughness = if (rough == null) emptyList() else List(6) { if (isThermal(it)) null else rough }
-        val boundary = Walls(box, 1.0, roughness = roughness, faces = faces, wallSeed = 9)
+        val boundary = Walls(box, 1.0, roughness = roughness, faces = faces, seed = 9)
         val smooth = randomSpheres(40, boundary, 3, 1.0) { 0.5 }
         val random = SeededRandom(4)
         fun spin() = DoubleArray(smooth.size) { random.nextGaussian() }

@@ -100,7 +100,7 @@ class RoughScenarioTest {
         val faces = """{ "all": $one, "upperX": $two, "lowerZ": { "type": "smooth" } }"""
         val setup = setup(boundary = """{ "type": "walls", "axes": "xz", "roughness": $faces }""")
         assertTrue(setup.population.hasSpin && setup.roughness == null)
-        val laws = List(6) { setup.boundary.wallRoughness(it) }
+        val laws = List(6) { setup.boundary.walls[it]?.roughness }
         assertEquals(listOf(0.25, null, null, null, null, 0.25), laws.map { (it as? ConstantRoughness)?.value })
         assertEquals(0.5, (laws[1] as CoulombRoughness).friction)
         val walls = """"type": "walls", "axes": "xz", "roughness": """

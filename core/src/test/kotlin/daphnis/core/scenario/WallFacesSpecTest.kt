@@ -1,7 +1,7 @@
 package daphnis.core.scenario
 
-import daphnis.core.boundary.WallMotion
 import daphnis.core.input.InputException
+import daphnis.core.wall.WallMotion
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -35,23 +35,29 @@ class WallFacesSpecTest {
                  "lowerZ": { "motion": { "type": "sine", "amplitude": 0.5, "frequency": 2, "phase": 0.25 } },
                  "upperZ": { "motion": { "type": "steady", "velocity": -1 }, "restitution": 1 } }""",
         ).boundary
-        assertEquals(listOf(0.3, 0.8, 0.8, 0.8, 0.8, 1.0), (0..5).map { boundary.wallRestitution(it) })
-        assertEquals(listOf(null, 2.0, null, null, null, null), (0..5).map { boundary.wallTemperature(it) })
-        assertEquals(listOf(4, 5), (0..5).filter { boundary.wallMotion(it) != null })
-        assertEquals(0.5, boundary.wallMotion(4)!!.displacement(0.0), 1e-15)
-        assertEquals(-2.0, boundary.wallMotion(5)!!.displacement(2.0))
+        assertEquals(
+            listOf(0.3, 0.8, 0.8, 0.8, 0.8, 1.0),
+            (0..5).map {
+                boundary.walls[it]?.restitution
+                    ?: boundary.walls.restitution
+            },
+        )
+        assertEquals(listOf(null, 2.0, null, null, null, null), (0..5).map { boundary.walls[it]?.temperature })
+        assertEquals(listOf(4, 5), (0..5).filter { boundary.walls[it]?.motion != null })
+        assertEquals(0.5, boundary.walls[4]!!.motion!!.displacement(0.0), 1e-15)
+        assertEquals(-2.0, boundary.walls[5]!!.motion!!.displacement(2.0))
         val others = setup(
             """{ "lowerZ": { "motion": { "type": "sawtooth", "amplitude": 0.5, "frequency": 2, "rise": 0.9 } },
                  "upperZ": { "motion": { "type": "bi-parabolic", "amplitude": 0.1, "frequency": 1 } } }""",
         ).boundary
-        assertEquals(0.9, (others.wallMotion(4) as WallMotion.Sawtooth).rise)
-        assertEquals(0.1, (others.wallMotion(5) as WallMotion.BiParabolic).amplitude)
+        assertEquals(0.9, (others.walls[4]?.motion as WallMotion.Sawtooth).rise)
+        assertEquals(0.1, (others.walls[5]?.motion as WallMotion.BiParabolic).amplitude)
     }
 
     @Test
     fun `thermal walls draw by the seed of the scenario`() {
         val thermal = """{ "lowerX": { "temperature": 2 } }"""
-        assertEquals(listOf(3L, 4L), listOf(3, 4).map { setup(thermal, "seed=$it").boundary.wallSeed })
+        assertEquals(listOf(3L, 4L), listOf(3, 4).map { setup(thermal, "seed=$it").boundary.walls.seed })
     }
 
     @Test

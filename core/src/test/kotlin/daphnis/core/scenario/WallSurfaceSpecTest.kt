@@ -1,6 +1,6 @@
 package daphnis.core.scenario
 
-import daphnis.core.boundary.planesApart
+import daphnis.core.boundary.facing
 import daphnis.core.collision.GuardSpec
 import daphnis.core.input.InputException
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -56,7 +56,7 @@ class WallSurfaceSpecTest {
             assertEquals(room, setup.boundary.volume, 1e-4 * room)
             assertEquals(Math.rint(0.1 * setup.boundary.volume / sphere), setup.population.size.toDouble())
             val p = setup.population
-            for (surface in setup.boundary.surfaces) {
+            for (surface in setup.boundary.walls.surfaces) {
                 for (k in 0 until p.size) assertTrue(surface.distance(p.x[k], p.y[k], p.z[k]) >= 0.5)
             }
         }
@@ -146,7 +146,7 @@ class WallSurfaceSpecTest {
     @Test
     fun `the smallest normal is a direction`() {
         val down = """{"type": "plane", "point": [0, 0, 2], "normal": [0, 0, -1e-300], "belt": [1, 0, 0]}"""
-        assertEquals(3.0, setup(text(down)).boundary.surfaces[0].distance(0.0, 0.0, -1.0))
+        assertEquals(3.0, setup(text(down)).boundary.walls.surfaces[0].distance(0.0, 0.0, -1.0))
     }
 
     @Test
@@ -171,7 +171,7 @@ class WallSurfaceSpecTest {
         val floor = """{"type": "plane", "point": [-4, 0, 0], "normal": [1, 0, 0], "belt": [0, 1, 0]}"""
         val lid = """{"upperX": {"motion": {"type": "piston", "mass": 50, "position": -3}}}"""
         val boundary = setup(text(floor).replace("\"surfaces\"", "\"faces\": $lid, \"surfaces\"")).boundary
-        assertEquals(listOf(6.0), boundary.planesApart(0.0, 9.0).map { it.apart })
+        assertEquals(listOf(6.0), boundary.walls.facing(0.0, 9.0).filter { !it.areFaces }.map { it.apart })
     }
 
     @Test

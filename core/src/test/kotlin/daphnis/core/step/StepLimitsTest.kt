@@ -6,10 +6,10 @@ import daphnis.core.boundary.Walls
 import daphnis.core.collision.CollisionLaw
 import daphnis.core.collision.CollisionOutcome
 import daphnis.core.collision.StepRows
-import daphnis.core.collision.WallContact
 import daphnis.core.populationOf
 import daphnis.core.simulationOf
 import daphnis.core.surface.ConstantRestitution
+import daphnis.core.wall.WallContact
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -17,7 +17,7 @@ import org.junit.jupiter.api.Test
 
 class StepLimitsTest {
     private val law = CollisionLaw(ConstantRestitution(1.0))
-    private val walls = WallContact().apply { prepare(Walls(Box.centred(9.0, 9.0, 9.0)), law) }
+    private val walls = WallContact().apply { prepare(Walls(Box.centred(9.0, 9.0, 9.0)).walls, law) }
     private val rows = StepRows().apply {
         load(populationOf(Sphere(), Sphere(x = 3.0)), IntArray(2) { it }, 2.0, false)
     }

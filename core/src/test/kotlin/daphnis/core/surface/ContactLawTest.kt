@@ -15,13 +15,13 @@ import daphnis.core.collision.ContactDurationGuard
 import daphnis.core.collision.FloorSpeedGuard
 import daphnis.core.collision.NoGuard
 import daphnis.core.collision.StepRows
-import daphnis.core.collision.WallContact
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.population.Population
 import daphnis.core.population.stateDigest
 import daphnis.core.populationOf
 import daphnis.core.randomSpheres
 import daphnis.core.space.Images
+import daphnis.core.wall.WallContact
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -180,7 +180,7 @@ class ContactLawTest {
             -1.0
         }
         val walls = Walls(Box.centred(8.0, 8.0, 8.0), roughness = List(6) { law })
-        val contact = WallContact().apply { prepare(walls, CollisionLaw(ConstantRestitution(1.0))) }
+        val contact = WallContact().apply { prepare(walls.walls, CollisionLaw(ConstantRestitution(1.0))) }
         contact.reflect(rows(spinning), 0, 1, 0.0, CollisionOutcome())
         assertEquals(listOf(0.0, -1.0, 0.5, 2.0), told)
     }

@@ -5,12 +5,12 @@ import daphnis.core.boundary.ContactFaces
 import daphnis.core.boundary.prepare
 import daphnis.core.collision.CollisionOutcome
 import daphnis.core.collision.StepRows
-import daphnis.core.collision.WallContact
 import daphnis.core.collision.contactTime
 import daphnis.core.population.Population
 import daphnis.core.queue.ReferenceEventQueue
 import daphnis.core.space.Images
 import daphnis.core.step.CollisionStep
+import daphnis.core.wall.WallContact
 import kotlin.math.abs
 import kotlin.math.ceil
 
@@ -36,7 +36,7 @@ class BruteForceEngine : CollisionEngine {
         step.record?.clear()
         rows.load(step.population, IntArray(n) { it }, step.duration, step.law.guard.needsLastCollision)
         images.prepare(step.boundary, step.start)
-        walls.prepare(step.boundary, step.law, step.start, step.duration)
+        walls.prepare(step.boundary.walls, step.law, step.start, step.duration)
         codes = imageCodes(step.population, step.boundary, step.duration)
         queue.reset(step.duration, rows.id, n)
         for (a in 0 until n) {
@@ -49,7 +49,7 @@ class BruteForceEngine : CollisionEngine {
             val b = queue.second
             queue.removeAllOf(a)
             if (b < 0) {
-                walls.reflect(rows, a, WallContact.face(b), time, outcome)
+                walls.reflect(rows, a, WallContact.number(b), time, outcome)
                 step.counters.wallCollisions++
                 if (walls.areDriven) step.record?.add(time, b, rows.id[a], outcome)
             } else {
@@ -75,8 +75,8 @@ class BruteForceEngine : CollisionEngine {
     }
 
     private fun queueWalls(step: CollisionStep, a: Int) {
-        for (face in 0 until WallContact.FACES + step.boundary.surfaces.size) {
-            val t = walls.timeOfAny(rows, a, face)
+        for (face in 0 until WallContact.FACES + step.boundary.walls.surfaces.size) {
+            val t = walls.time(rows, a, face)
             if (t <= step.duration) queue.add(t, a, WallContact.partner(face), 0)
         }
     }

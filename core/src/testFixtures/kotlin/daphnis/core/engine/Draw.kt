@@ -223,5 +223,7 @@ class Draw(override val seed: Long, private val grows: Boolean = true) : Case {
 
     override fun toString() =
         "seed $seed: ${population.size} spheres, filling $filling${if (clumped) ", clumped" else ""}, " +
-            "${around().javaClass.simpleName}${boundary.surfaces.map { ", $it" }.joinToString("")}, dt $dt$surface"
+            "${around().javaClass.simpleName}${boundary.walls.surfaces.map {
+                ", $it"
+            }.joinToString("")}, dt $dt$surface"
 }

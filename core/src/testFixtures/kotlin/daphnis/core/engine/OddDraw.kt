@@ -82,7 +82,7 @@ class OddDraw(override val seed: Long) : Case {
 
     private fun walls(box: Box, restitution: Double): Walls {
         val faces = if (kind == Kind.SCALES) emptyList() else driven.faces(surface.walls)
-        return Walls(box, restitution, roughness = surface.walls, faces = faces, wallSeed = seed)
+        return Walls(box, restitution, roughness = surface.walls, faces = faces, seed = seed)
     }
 
     private fun gauss() = random.nextGaussian()

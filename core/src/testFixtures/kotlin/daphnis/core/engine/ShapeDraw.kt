@@ -1,13 +1,16 @@
 package daphnis.core.engine
 
 import daphnis.core.boundary.Box
-import daphnis.core.boundary.RoomSide
-import daphnis.core.boundary.WallFace
-import daphnis.core.boundary.WallMotion
-import daphnis.core.boundary.WallSurface
 import daphnis.core.boundary.Walls
 import daphnis.core.initial.SeededRandom
 import daphnis.core.surface.Roughness
+import daphnis.core.wall.CylinderWall
+import daphnis.core.wall.PlaneWall
+import daphnis.core.wall.RoomSide
+import daphnis.core.wall.SphereWall
+import daphnis.core.wall.Wall
+import daphnis.core.wall.WallFace
+import daphnis.core.wall.WallMotion
 import kotlin.math.sqrt
 
 /**
@@ -31,7 +34,7 @@ class ShapeDraw(seed: Long) {
         roughness: List<Roughness?>,
         places: Array<DoubleArray>,
         radii: DoubleArray,
-        walls: (List<WallSurface>, Box) -> Walls,
+        walls: (List<Wall>, Box) -> Walls,
     ): Walls {
         if (!isThere) return walls(emptyList(), box)
         at = places
@@ -45,7 +48,7 @@ class ShapeDraw(seed: Long) {
         return walls(surfaces, wide)
     }
 
-    private fun drawn(box: Box): WallSurface = when (random.nextInt(6)) {
+    private fun drawn(box: Box): Wall = when (random.nextInt(6)) {
         0, 1 -> plane(List(3) { random.nextGaussian() })
         2 -> cylinder(List(3) { if (it == 2) 1.0 else 0.0 })
         3 -> cylinder(List(3) { random.nextGaussian() })
@@ -73,7 +76,7 @@ class ShapeDraw(seed: Long) {
     private fun least(of: (Double, Double, Double, Double) -> Double) =
         radii.indices.minOf { of(at[0][it], at[1][it], at[2][it], radii[it]) }
 
-    private fun plane(normal: List<Double>): WallSurface {
+    private fun plane(normal: List<Double>): Wall {
         val length = sqrt(normal.sumOf { it * it })
         val n = normal.map { it / length }
         val motion = motion(1.0)
@@ -84,10 +87,10 @@ class ShapeDraw(seed: Long) {
             List(3) { s[it] - across * n[it] }
         }
         val roughness = roughness()
-        return WallSurface.Plane(n.map { it * far }, n, face(motion, roughness), roughness, belt)
+        return PlaneWall(n.map { it * far }, n, face(motion, roughness), roughness, belt)
     }
 
-    private fun cylinder(axis: List<Double>): WallSurface {
+    private fun cylinder(axis: List<Double>): Wall {
         val length = sqrt(axis.sumOf { it * it })
         val a = axis.map { it / length }
         val radius = -least { x, y, z, r ->
@@ -98,7 +101,7 @@ class ShapeDraw(seed: Long) {
         val roughness = roughness()
         val centre = listOf(0.0, 0.0, 0.0)
         val turning = random.nextGaussian() / radius
-        return WallSurface.Cylinder(
+        return CylinderWall(
             centre,
             axis,
             radius * (1 + 1e-9),
@@ -109,16 +112,16 @@ class ShapeDraw(seed: Long) {
         )
     }
 
-    private fun vessel(): WallSurface {
+    private fun vessel(): Wall {
         val c = List(3) { 0.1 * random.nextGaussian() }
         val radius = -least { x, y, z, r -> -r - distance(x, y, z, c) }
         val roughness = roughness()
         val face = face(null, roughness)
-        return WallSurface.Sphere(c, radius * (1 + 1e-9), RoomSide.INSIDE, face, roughness, speeds())
+        return SphereWall(c, radius * (1 + 1e-9), RoomSide.INSIDE, face, roughness, speeds())
     }
 
     /** A body where there is room for one, maybe at the side of the box. */
-    private fun body(box: Box): WallSurface {
+    private fun body(box: Box): Wall {
         var best = listOf(2 * box.upperX, 0.0, 0.0)
         repeat(20) {
             val c = List(3) { axis -> random.nextDouble(box.lower(axis), box.upper(axis)) }
@@ -129,7 +132,7 @@ class ShapeDraw(seed: Long) {
         if (radius <= 0) return plane(List(3) { random.nextGaussian() })
         val roughness = roughness()
         val face = face(motion, roughness)
-        return WallSurface.Sphere(best, radius, RoomSide.OUTSIDE, face, roughness, speeds(), listOf(1.0, 1.0, 0.5))
+        return SphereWall(best, radius, RoomSide.OUTSIDE, face, roughness, speeds(), listOf(1.0, 1.0, 0.5))
     }
 
     private fun room(c: List<Double>) = least { x, y, z, r -> distance(x, y, z, c) - r }

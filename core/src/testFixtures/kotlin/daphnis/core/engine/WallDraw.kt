@@ -1,13 +1,13 @@
 package daphnis.core.engine
 
 import daphnis.core.boundary.BoundaryConditions
-import daphnis.core.boundary.WallFace
-import daphnis.core.boundary.WallMotion
 import daphnis.core.boundary.Walls
 import daphnis.core.force.Force
 import daphnis.core.force.UniformAcceleration
 import daphnis.core.initial.SeededRandom
 import daphnis.core.surface.Roughness
+import daphnis.core.wall.WallFace
+import daphnis.core.wall.WallMotion
 
 /**
  * Walls of a drawn case that move or are thermal, in half of all, and gravity between walls, in half of all. They have

@@ -56,7 +56,7 @@ internal class PatchPicture(private val state: State, private val lengthName: St
     /** Of a layer with open faces those of its spheres, as far below z = 0 as above; else the box, and what sticks out. */
     private fun heights(): Pair<Double, Double> {
         val out = (0 until p.size).maxOfOrNull { Math.abs(p.z[it]) + p.radius[it] } ?: 1.0
-        val isLayer = state.boundary.contactFaces(2) == ContactFaces.OPEN && state.boundary.surfaces.isEmpty()
+        val isLayer = state.boundary.contactFaces(2) == ContactFaces.OPEN && state.boundary.walls.surfaces.isEmpty()
         if (isLayer) return -out to out
         if (state.boundary.repeats(2)) return box.lowerZ to box.upperZ
         val low = (0 until p.size).minOfOrNull { p.z[it] - p.radius[it] } ?: box.lowerZ

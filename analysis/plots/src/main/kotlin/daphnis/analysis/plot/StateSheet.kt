@@ -103,7 +103,7 @@ internal class StateSheet(
 
     /** What lies behind the surfaces, in the middle of the box along the line of sight. */
     private fun walls(sheet: Sheet) {
-        val surfaces = state.boundary.surfaces
+        val surfaces = state.boundary.walls.surfaces
         if (surfaces.isEmpty()) return
         val box = state.boundary.box
         val at = DoubleArray(3) { (box.lower(it) + box.upper(it)) / 2 }

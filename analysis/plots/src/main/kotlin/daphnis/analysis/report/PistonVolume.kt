@@ -1,15 +1,15 @@
 package daphnis.analysis.report
 
 import daphnis.analysis.statistics.BlockAverage
-import daphnis.core.boundary.Piston
 import daphnis.core.run.SeriesColumns
+import daphnis.core.wall.Piston
 
 /** The volume between walls of which some are pistons: the box says only where these were at the start. */
 internal object PistonVolume {
     /** Whether any wall of the run of [study] is a piston. */
     fun isSeen(study: Study): Boolean = faces(study).isNotEmpty()
 
-    private fun faces(study: Study) = (0 until FACES).filter { study.last.boundary.wallMotion(it) is Piston }
+    private fun faces(study: Study) = (0 until FACES).filter { study.last.boundary.walls[it]?.motion is Piston }
 
     /** The volume, an area of discs, in the rows of `series.csv` since averages begin; null without such rows. */
     fun average(study: Study): BlockAverage? {
@@ -20,7 +20,7 @@ internal object PistonVolume {
         val places = pistons.associateWith { series[SeriesColumns.PISTON_POSITION[it]] }
         val boundary = study.last.boundary
         fun at(face: Int, row: Int) =
-            places[face]?.get(row) ?: boundary.wallMotion(face)?.displacement(time[row]) ?: 0.0
+            places[face]?.get(row) ?: boundary.walls[face]?.motion?.displacement(time[row]) ?: 0.0
         val rows = time.indices.filter { time[it] >= study.from }
         if (rows.isEmpty()) return null
         return BlockAverage.of(

@@ -58,7 +58,7 @@ internal class Study(
     val physics: Scenario? = input.scenario?.takeUnless { input.directory?.program?.let { Files.exists(it) } == true }
 
     /** Whether walls that are no faces of the box cut off parts of it: densities over the box then tell nothing. */
-    val isRoomCut: Boolean = last.boundary.surfaces.isNotEmpty()
+    val isRoomCut: Boolean = last.boundary.walls.surfaces.isNotEmpty()
 
     /** Whether spheres or discs fill the room so densely that they may be a crystal. */
     val mayFreeze: Boolean = !isRoomCut &&

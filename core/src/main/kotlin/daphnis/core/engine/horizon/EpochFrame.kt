@@ -1,16 +1,15 @@
 package daphnis.core.engine.horizon
 
 import daphnis.core.boundary.BoundaryConditions
-import daphnis.core.boundary.ContactFaces
 import daphnis.core.boundary.prepare
-import daphnis.core.collision.SurfaceWall
-import daphnis.core.collision.WallContact
 import daphnis.core.parallel.Extremes
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.SphereColumns
 import daphnis.core.search.Reach
 import daphnis.core.space.Images
 import daphnis.core.step.CollisionStep
+import daphnis.core.wall.ContactWall
+import daphnis.core.wall.WallContact
 import kotlin.math.abs
 
 /**
@@ -30,20 +29,12 @@ internal class EpochFrame {
     val low = DoubleArray(AXES)
     val length = DoubleArray(AXES)
 
-    /**
-     * Whether there is any wall; then whether at the faces across x, y, z, and where these are: as far into the room as
-     * spheres may meet them during the epoch.
-     */
-    var hasWalls = false
-        private set
-    val isWalled = BooleanArray(AXES)
-    val lowerFace = DoubleArray(AXES)
-    val upperFace = DoubleArray(AXES)
-    private val walls = WallContact()
+    private val contacts = WallContact()
 
-    /** Walls that are not faces of the box, ready to be asked about the epoch. */
-    var surfaces = emptyArray<SurfaceWall>()
+    /** Walls, ready to be asked about the epoch. */
+    var walls = emptyArray<ContactWall>()
         private set
+    val hasWalls: Boolean get() = walls.isNotEmpty()
 
     /** Images as they are at the start of the epoch. */
     val images = Images()
@@ -133,11 +124,7 @@ internal class EpochFrame {
         steps = tuning.steps
         windows = tuning.windows
         val whole = steps * duration
-        for (axis in 0 until AXES) {
-            lowerFace[axis] = walls.innermost(2 * axis, whole)
-            upperFace[axis] = walls.innermost(2 * axis + 1, whole)
-        }
-        surfaces = Array(walls.surfaceCount) { walls.surface(it, whole) }
+        walls = contacts.within(whole)
         openWindow(0)
         var span = 0.0
         for (k in 0 until AXES) {
@@ -170,11 +157,7 @@ internal class EpochFrame {
         val boundary = step.boundary
         val flow = boundary.meanFlow
         images.prepare(boundary, step.start)
-        for (axis in 0 until AXES) {
-            isWalled[axis] = boundary.contactFaces(axis) == ContactFaces.WALL
-        }
-        walls.prepare(boundary, step.law, step.start, step.duration)
-        hasWalls = walls.present
+        contacts.prepare(boundary.walls, step.law, step.start, step.duration)
         axes[0] = boundary.shear?.slideAxis ?: flow?.flowAxis ?: 0
         axes[2] = boundary.shear?.normalAxis ?: flow?.normalAxis ?: 1
         axes[1] = AXES - axes[0] - axes[2]

@@ -1,7 +1,6 @@
 package daphnis.core.engine.horizon
 
 import daphnis.core.api.EngineApi
-import daphnis.core.boundary.hasPistons
 import daphnis.core.engine.lists.ListSteps
 import daphnis.core.engine.lists.ListTuning
 import daphnis.core.parallel.OptionalLoop
@@ -99,7 +98,7 @@ public class HorizonSteps internal constructor(
         // Lines know of images that slide along rows alone, and of walls that know their way for several steps.
         if (size < maxOf(fewest, 1) ||
             step.boundary.approach != 0.0 ||
-            step.boundary.hasPistons ||
+            !step.boundary.walls.areKnownAhead ||
             !(isEager && tuning != null) &&
             epoch.plan.rests()
         ) {

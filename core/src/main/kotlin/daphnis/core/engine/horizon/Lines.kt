@@ -180,19 +180,8 @@ internal class Lines(private val frame: EpochFrame) : GrowingTable() {
     fun touchWall(i: Int, t: Double): Double {
         val r = state[place(i) + RADIUS] + frame.inflation
         var first = NEVER
-        for (axis in 0..2) {
-            if (!frame.isWalled[axis]) continue
-            val x = at(i, axis, t)
-            val v = velocity(i, axis)
-            val below = (x - r) - frame.lowerFace[axis]
-            val above = frame.upperFace[axis] - (x + r)
-            // As far as the line tells the sphere may move either way there.
-            if (below <= 0 || above <= 0) return t
-            if (v < 0) first = minOf(first, t - below / v)
-            if (v > 0) first = minOf(first, t + above / v)
-        }
-        for (surface in frame.surfaces) {
-            val wait = surface.soonest(
+        for (wall in frame.walls) {
+            val wait = wall.soonest(
                 at(i, 0, t),
                 at(i, 1, t),
                 at(i, 2, t),

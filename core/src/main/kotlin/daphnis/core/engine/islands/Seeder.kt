@@ -1,9 +1,9 @@
 package daphnis.core.engine.islands
 
-import daphnis.core.collision.WallContact
 import daphnis.core.collision.contactTime
 import daphnis.core.growth.IntList
 import daphnis.core.queue.EventStore.Companion.NONE
+import daphnis.core.wall.WallContact
 
 /** Makes the seeds of a window from one worker's [hints], and groups them into islands. */
 internal class Seeder(private val field: IslandField, private val hints: Hints) {
@@ -47,7 +47,7 @@ internal class Seeder(private val field: IslandField, private val hints: Hints) 
         val first = hints.store.first(hint)
         val second = hints.store.second(hint)
         val time = if (second < 0) {
-            field.prepared.walls.timeOfAny(field.rows, first, WallContact.face(second))
+            field.prepared.walls.time(field.rows, first, WallContact.number(second))
         } else {
             contactTime(field.rows, first, second, hints.store.image(hint), field.grid.images)
         }

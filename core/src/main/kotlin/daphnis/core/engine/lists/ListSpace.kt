@@ -137,8 +137,7 @@ internal class ListSpace : CellAxes() {
 
         /** Whether there can be lists: images that slide, and walls, are for others. */
         fun accepts(boundary: BoundaryConditions): Boolean = boundary.shear == null &&
-            boundary.surfaces.isEmpty() &&
-            (0 until AXES).all { boundary.contactFaces(it) != ContactFaces.WALL }
+            boundary.walls.isEmpty
 
         /** The part of the volume that [spheres] fill; along an axis without images, of that in which they are. */
         fun fillingFactor(spheres: SphereColumns, boundary: BoundaryConditions): Double {

@@ -1,13 +1,14 @@
-package daphnis.core.collision
+package daphnis.core.boundary
 
-import daphnis.core.boundary.BoundaryConditions
-import daphnis.core.boundary.pistons
+import daphnis.core.collision.CollisionRecord
 import daphnis.core.population.ExactSum
 import daphnis.core.population.Population
+import daphnis.core.wall.WallContact
+import daphnis.core.wall.pistons
 
 /**
  * Moves the pistons of a boundary at the end of each step, by the exact sums of the impulses that they gave: the order
- * in which an engine found them changes no bit. See [daphnis.core.boundary.Piston].
+ * in which an engine found them changes no bit. See [daphnis.core.wall.Piston].
  *
  * @param largest the largest radius, for which walls must leave room
  */
@@ -16,7 +17,7 @@ internal class Pistons private constructor(
     private val record: CollisionRecord,
     private val largest: Double,
 ) {
-    private val faces = boundary.pistons
+    private val faces = boundary.walls.pistons
     private val sums = faces.mapValues { ExactSum() }
     private val before = DoubleArray(2 * WallContact.FACES)
 
@@ -36,21 +37,21 @@ internal class Pistons private constructor(
     fun move(duration: Double, end: Double) {
         for (sum in sums.values) sum.clear()
         for (k in 0 until record.size) {
-            if (record.isWall(k)) sums[WallContact.face(record.lower[k])]?.add(record.impulse(k))
+            if (record.isWall(k)) sums[WallContact.number(record.lower[k])]?.add(record.impulse(k))
         }
         for ((face, piston) in faces) {
             val inward = if (face and 1 == 0) 1.0 else -1.0
             piston.move(duration, inward * sums.getValue(face).value())
         }
-        for (axis in faces.keys.map { it shr 1 }) requireRoom(axis, end)
+        requireRoom(end)
     }
 
-    private fun requireRoom(axis: Int, end: Double) {
-        fun at(face: Int) = boundary.wallMotion(face)?.displacement(end) ?: 0.0
-        val room = boundary.box.length(axis) + at(2 * axis + 1) - at(2 * axis)
-        check(room > 2 * largest) {
-            "the walls across ${"xyz"[axis]} are $room apart at time $end, and the largest sphere is ${2 * largest} " +
-                "wide; a piston needs a smaller force, or a step in which its speed changes by less"
+    private fun requireRoom(end: Double) {
+        for (walls in boundary.walls.facing(end, end)) {
+            check(!walls.areFaces || walls.first !in faces && walls.second !in faces || walls.apart > 2 * largest) {
+                "the walls across ${AXIS_NAMES[walls.first shr 1]} are ${walls.apart} apart at time $end, and the " +
+                    "largest sphere is ${2 * largest} wide; a piston needs a smaller force, or a step in which its speed changes by less"
+            }
         }
     }
 
@@ -67,7 +68,7 @@ internal class Pistons private constructor(
          * @throws IllegalArgumentException when there is no record
          */
         fun of(boundary: BoundaryConditions, record: CollisionRecord?, population: Population): Pistons? {
-            if (boundary.pistons.isEmpty()) return null
+            if (boundary.walls.pistons.isEmpty()) return null
             requireNotNull(record) {
                 "a piston takes up the impulses of collisions; make CollisionForcing with recordCollisions = true"
             }

@@ -1,11 +1,11 @@
-package daphnis.core.collision
+package daphnis.core.wall
 
 import daphnis.core.boundary.Box
-import daphnis.core.boundary.RoomSide
-import daphnis.core.boundary.WallFace
-import daphnis.core.boundary.WallMotion
-import daphnis.core.boundary.WallSurface
 import daphnis.core.boundary.Walls
+import daphnis.core.collision.CollisionLaw
+import daphnis.core.collision.CollisionOutcome
+import daphnis.core.collision.NEVER
+import daphnis.core.collision.StepRows
 import daphnis.core.initial.SeededRandom
 import daphnis.core.population.Population
 import daphnis.core.surface.ConstantRestitution
@@ -27,6 +27,8 @@ class SurfaceWallTest {
         val g = DoubleArray(3) { if (falls && random.nextInt(3) > 0) random.nextDouble(-2.0, 2.0) else 0.0 }
         private val mayMove = moves
         val surface = drawn()
+        val origin = (surface as? PlaneWall)?.origin ?: (surface as RoundWall).origin
+        val direction = (surface as? PlaneWall)?.direction ?: (surface as RoundWall).direction
         val x = DoubleArray(3)
         val v = DoubleArray(3) { random.nextGaussian() }
 
@@ -50,7 +52,7 @@ class SurfaceWallTest {
 
         private fun vector() = List(3) { random.nextGaussian() }
 
-        private fun drawn(): WallSurface {
+        private fun drawn(): Wall {
             val side = RoomSide.entries[random.nextInt(2)]
             val motion = if (random.nextInt(2) == 0 || !mayMove) {
                 null
@@ -62,9 +64,9 @@ class SurfaceWallTest {
             val c = vector().map { 0.2 * it }
             val axis = if (random.nextInt(2) == 0) vector() else List(3) { if (it == 1) -2.0 else 0.0 }
             return when (random.nextInt(3)) {
-                0 -> WallSurface.Plane(c, vector(), WallFace(motion = motion))
-                1 -> WallSurface.Cylinder(c, axis, random.nextDouble(1.0, 3.0), side)
-                else -> WallSurface.Sphere(
+                0 -> PlaneWall(c, vector(), WallFace(motion = motion))
+                1 -> CylinderWall(c, axis, random.nextDouble(1.0, 3.0), side)
+                else -> SphereWall(
                     c,
                     random.nextDouble(1.0, 3.0),
                     side,
@@ -90,7 +92,7 @@ class SurfaceWallTest {
         }
         val wall = WallContact().apply {
             val walls = Walls(Box.centred(99.0, 99.0, 99.0), surfaces = listOf(surface))
-            prepare(walls, CollisionLaw(ConstantRestitution(1.0), acceleration = g.toList()), start, duration)
+            prepare(walls.walls, CollisionLaw(ConstantRestitution(1.0), acceleration = g.toList()), start, duration)
         }
 
         /** The gap at the time [t] of the step, on the parabola. */
@@ -104,7 +106,7 @@ class SurfaceWallTest {
         var contacts = 0
         for (seed in 0L until count) {
             val c = Case(seed, falls)
-            val t = c.wall.timeOfAny(c.rows, 0, WallContact.FACES)
+            val t = c.wall.time(c.rows, 0, WallContact.FACES)
             assertTrue(t >= 0) { "seed $seed: $t" }
             val end = minOf(t, c.duration)
             for (k in 1 until MOMENTS) {
@@ -116,7 +118,7 @@ class SurfaceWallTest {
             assertTrue(abs(c.gap(t)) < ROUNDING) { "seed $seed: gap ${c.gap(t)} at contact, ${c.surface}" }
             c.wall.reflect(c.rows, 0, WallContact.FACES, t, outcome)
             assertTrue(outcome.impactSpeed >= 0)
-            val next = c.wall.timeOfAny(c.rows, 0, WallContact.FACES)
+            val next = c.wall.time(c.rows, 0, WallContact.FACES)
             assertTrue(next > t) { "seed $seed: again at once, ${c.surface}" }
         }
         return contacts
@@ -137,7 +139,7 @@ class SurfaceWallTest {
         var contacts = 0
         for (seed in 0L until 1_000) {
             val c = Case(seed, falls = false, moves = false)
-            val t = c.wall.timeOfAny(c.rows, 0, WallContact.FACES)
+            val t = c.wall.time(c.rows, 0, WallContact.FACES)
             if (t > c.duration) continue
             contacts++
             val gap = exactGap(c, BigDecimal(t))
@@ -154,13 +156,13 @@ class SurfaceWallTest {
     private fun exactGap(c: Case, t: BigDecimal): BigDecimal {
         val digits = MathContext(60)
         fun big(x: Double) = BigDecimal(x)
-        val q = List(3) { big(c.x[it]) + big(c.v[it]) * t - big(c.surface.origin[it]) }
-        val d = c.surface.direction.map { big(it) }
+        val q = List(3) { big(c.x[it]) + big(c.v[it]) * t - big(c.origin[it]) }
+        val d = c.direction.map { big(it) }
         val along = q.indices.fold(BigDecimal.ZERO) { s, k -> s + q[k] * d[k] }
-        if (c.surface.isPlane) return along - big(c.r)
+        if (c.surface is PlaneWall) return along - big(c.r)
         val p = List(3) { q[it] - along * d[it] }
         val square = p.fold(BigDecimal.ZERO) { s, it -> s + it * it }
-        val isInside = c.surface.side == RoomSide.INSIDE
+        val isInside = (c.surface as RoundWall).side == RoomSide.INSIDE
         val reach = if (isInside) big(c.surface.radius) - big(c.r) else big(c.surface.radius) + big(c.r)
         return (if (isInside) reach * reach - square else square - reach * reach).round(digits)
     }
@@ -168,20 +170,20 @@ class SurfaceWallTest {
     @Test
     fun `a sphere that just hits a body, and one that just misses it`() {
         for ((aside, hits) in listOf(1.5 - 1e-9 to true, 1.5 + 1e-9 to false)) {
-            val t = time(WallSurface.Sphere(listOf(0.0, 0.0, 0.0), 1.0, RoomSide.OUTSIDE), -4.0, aside)
+            val t = time(SphereWall(listOf(0.0, 0.0, 0.0), 1.0, RoomSide.OUTSIDE), -4.0, aside)
             if (hits) assertEquals(4.0, t, 1e-3) else assertEquals(NEVER, t)
-            val around = WallSurface.Cylinder(listOf(0.0, 0.0, 7.0), listOf(0.0, 0.0, 3.0), 1.0, RoomSide.OUTSIDE)
+            val around = CylinderWall(listOf(0.0, 0.0, 7.0), listOf(0.0, 0.0, 3.0), 1.0, RoomSide.OUTSIDE)
             val again = time(around, -4.0, aside)
             if (hits) assertEquals(4.0, again, 1e-3) else assertEquals(NEVER, again)
         }
         // Through the middle of a vessel, and along the axis of one.
-        assertEquals(4.5, time(WallSurface.Sphere(listOf(0.0, 0.0, 0.0), 3.0), -2.0, 0.0))
-        val along = WallSurface.Cylinder(listOf(0.0, 0.0, 0.0), listOf(1.0, 0.0, 0.0), 3.0)
+        assertEquals(4.5, time(SphereWall(listOf(0.0, 0.0, 0.0), 3.0), -2.0, 0.0))
+        val along = CylinderWall(listOf(0.0, 0.0, 0.0), listOf(1.0, 0.0, 0.0), 3.0)
         assertEquals(NEVER, time(along, -4.0, 0.3))
     }
 
     /** When a sphere of radius ½ at ([x], [y], 0) that moves along x with the speed 1 touches [surface]. */
-    private fun time(surface: WallSurface, x: Double, y: Double): Double {
+    private fun time(surface: Wall, x: Double, y: Double): Double {
         val rows = StepRows()
         fun column(value: Double) = doubleArrayOf(value)
         val one = Population(
@@ -197,8 +199,8 @@ class SurfaceWallTest {
         rows.load(one, intArrayOf(0), 100.0, tracksLastCollision = false)
         val wall = WallContact()
         val walls = Walls(Box.centred(99.0, 99.0, 99.0), surfaces = listOf(surface))
-        wall.prepare(walls, CollisionLaw(ConstantRestitution(1.0)), 0.0, 100.0)
-        return wall.timeOfAny(rows, 0, WallContact.FACES)
+        wall.prepare(walls.walls, CollisionLaw(ConstantRestitution(1.0)), 0.0, 100.0)
+        return wall.time(rows, 0, WallContact.FACES)
     }
 
     @Test
@@ -206,8 +208,8 @@ class SurfaceWallTest {
         var compared = 0
         for (seed in 0L until 2_000) {
             val c = Case(seed, falls = true)
-            val t = c.wall.timeOfAny(c.rows, 0, WallContact.FACES)
-            val wall = c.wall.surface(0, c.duration)
+            val t = c.wall.time(c.rows, 0, WallContact.FACES)
+            val wall = c.wall.within(c.duration).last()
             val soonest = wall.soonest(c.x[0], c.x[1], c.x[2], c.v[0], c.v[1], c.v[2], c.r + 1e-9)
             if (t <= c.duration) {
                 compared++
@@ -222,7 +224,7 @@ class SurfaceWallTest {
         val contacts = IntArray(3)
         for (seed in 0L until 1_000) {
             val c = Case(seed, falls = false, moves = false)
-            val t = c.wall.timeOfAny(c.rows, 0, WallContact.FACES)
+            val t = c.wall.time(c.rows, 0, WallContact.FACES)
             if (t > c.duration) continue
             c.wall.reflect(c.rows, 0, WallContact.FACES, t, outcome)
             val s = c.rows.state
@@ -230,17 +232,17 @@ class SurfaceWallTest {
             val before = c.v.sumOf { it * it }
             assertEquals(1.0, v.sumOf { it * it } / before, 1e-14)
             contacts[
-                if (c.surface.isPlane) {
+                if (c.surface is PlaneWall) {
                     0
-                } else if (c.surface.direction.all { it == 0.0 }) {
+                } else if (c.direction.all { it == 0.0 }) {
                     1
                 } else {
                     2
                 },
             ]++
-            if (c.surface.isPlane) continue
-            val q = DoubleArray(3) { s[it] - c.surface.origin[it] }
-            val d = c.surface.direction
+            if (c.surface is PlaneWall) continue
+            val q = DoubleArray(3) { s[it] - c.origin[it] }
+            val d = c.direction
 
             // L of the sphere, and its part along the axis of a cylinder.
             fun spin(u: DoubleArray) = doubleArrayOf(

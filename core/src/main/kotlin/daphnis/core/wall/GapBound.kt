@@ -1,5 +1,6 @@
-package daphnis.core.collision
+package daphnis.core.wall
 
+import daphnis.core.collision.NEVER
 import kotlin.math.sqrt
 
 /**

@@ -1,6 +1,6 @@
-package daphnis.core.collision
+package daphnis.core.wall
 
-import daphnis.core.boundary.WallMotion
+import daphnis.core.collision.NEVER
 import daphnis.core.initial.SeededRandom
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue

@@ -1,13 +1,12 @@
-package daphnis.core.boundary
+package daphnis.core.wall
 
 import kotlin.math.abs
 import kotlin.math.floor
-import kotlin.math.sqrt
 
 /**
- * How a wall moves along its normal: its displacement from the face of the box along the axis across it, as a function
- * of time since time 0. Positive is towards greater coordinates, for the lower face and the upper one. Amplitudes are
- * lengths, frequencies are cycles per unit of time, and phases are parts of a cycle, at time 0.
+ * How a wall moves: its displacement along its way as a function of time since time 0. Of a face of the box, the lower
+ * or the upper one, positive is towards greater coordinates; of other walls see [Wall]. Amplitudes are lengths,
+ * frequencies are cycles per unit of time, and phases are parts of a cycle, at time 0.
  *
  * A motion consists of smooth pieces. Within a step it is followed from the phase at the start, so that time which has
  * long gone on costs no precision.
@@ -15,6 +14,18 @@ import kotlin.math.sqrt
 public sealed class WallMotion {
     /** How far the wall goes at most from the face of the box, to either side; infinite for a steady motion. */
     public abstract val amplitude: Double
+
+    /** Cycles per unit of time; 0 of a motion that does not repeat. */
+    public open val frequency: Double get() = 0.0
+
+    /** Whether it is known beyond the present step, and does not depend on what happens in this. */
+    internal open val isKnownAhead: Boolean get() = true
+
+    /** Whether there is one smooth piece. */
+    internal open val isSmooth: Boolean get() = false
+
+    /** The coefficient with which a sphere of mass [m] leaves a wall that moves so, whose own is [restitution]. */
+    internal open fun coefficient(restitution: Double, m: Double): Double = restitution
 
     /** Displacement at [time]. */
     public fun displacement(time: Double): Double = displacement(phase(time), 0.0)
@@ -55,6 +66,7 @@ public sealed class WallMotion {
             require(velocity.isFinite()) { "velocity of a wall is $velocity; it must be finite" }
         }
 
+        override val isSmooth: Boolean get() = true
         override val amplitude: Double get() = if (velocity == 0.0) 0.0 else Double.POSITIVE_INFINITY
 
         override fun phase(time: Double): Double = velocity * time
@@ -73,7 +85,7 @@ public sealed class WallMotion {
     /** A motion that repeats after 1/[frequency]. */
     public sealed class Periodic(
         final override val amplitude: Double,
-        public val frequency: Double,
+        final override val frequency: Double,
         public val phase: Double,
     ) : WallMotion() {
         init {
@@ -94,6 +106,7 @@ public sealed class WallMotion {
     public class Sine @JvmOverloads constructor(amplitude: Double, frequency: Double, phase: Double = 0.0) :
         Periodic(amplitude, frequency, phase) {
         private val omega = TURN * frequency
+        override val isSmooth: Boolean get() = true
         override val strongest: Double = amplitude * omega * omega * (1 + ROUNDING)
 
         override fun displacement(phase: Double, t: Double): Double =
@@ -175,77 +188,4 @@ public sealed class WallMotion {
         const val TURN = 2 * Math.PI
         const val ROUNDING = 1e-12
     }
-}
-
-/** Whether any wall moves or is thermal. */
-internal val BoundaryConditions.hasDrivenWalls: Boolean
-    get() = hasMovingWalls || (0 until 2 * AXES).any { wallTemperature(it) != null } || surfaces.any { it.isDriven }
-
-/** The volume of the room in [box], which is that of this boundary unless that is open. */
-internal fun BoundaryConditions.roomIn(box: Box): Double = if (surfaces.isEmpty()) box.volume else volume
-
-/** Whether any wall is rough. */
-internal val BoundaryConditions.hasRoughWalls: Boolean
-    get() = (0 until 2 * AXES).any { wallRoughness(it) != null } || surfaces.any { it.roughness != null }
-
-/** Whether any wall moves. */
-internal val BoundaryConditions.hasMovingWalls: Boolean get() = (0 until 2 * AXES).any { wallMotion(it) != null }
-
-/** The box whose faces are where the walls of this boundary are at [time]. */
-internal fun BoundaryConditions.roomAt(time: Double): Box {
-    if (!hasMovingWalls) return box
-    fun face(face: Int): Double {
-        val at = if (face and 1 == 0) box.lower(face shr 1) else box.upper(face shr 1)
-        return at + (wallMotion(face)?.displacement(time) ?: 0.0)
-    }
-    return Box(face(0), face(2), face(4), face(1), face(3), face(5), space)
-}
-
-/**
- * The least distance of the walls across [axis] in the time [from] until [to], or less. Where a piston will be is not
- * known: then it is the distance at [from].
- */
-internal fun BoundaryConditions.leastRoom(axis: Int, from: Double, to: Double): Double {
-    val lower = wallMotion(2 * axis)
-    val upper = wallMotion(2 * axis + 1)
-    if (lower is Piston || upper is Piston) {
-        val apart = box.upper(axis) - box.lower(axis)
-        return apart + (upper?.displacement(from) ?: 0.0) - (lower?.displacement(from) ?: 0.0)
-    }
-    val shrinks = if (lower != null && upper != null) togetherAtLeast(lower, upper, from, to) else null
-    if (shrinks != null) return box.upper(axis) - box.lower(axis) + shrinks
-    val rises = lower?.let { it.highest(it.phase(from), to - from) } ?: 0.0
-    val falls = upper?.let { it.lowest(it.phase(from), to - from) } ?: 0.0
-    return (box.upper(axis) + falls) - (box.lower(axis) + rises)
-}
-
-/**
- * The least of [upper] minus [lower] where they move alike, so that it is more than when each is where it comes
- * nearest: sines of one frequency, other motions which differ in their amplitudes alone, and steady ones. Otherwise
- * null.
- */
-private fun togetherAtLeast(lower: WallMotion, upper: WallMotion, from: Double, to: Double): Double? {
-    if (lower is WallMotion.Steady && upper is WallMotion.Steady) {
-        val rate = upper.velocity - lower.velocity
-        return minOf(rate * from, rate * to)
-    }
-    if (lower !is WallMotion.Periodic ||
-        upper !is WallMotion.Periodic ||
-        lower.frequency != upper.frequency
-    ) {
-        return null
-    }
-    val behind = upper.phase - lower.phase
-    val more = lower.amplitude - upper.amplitude
-    val areSines = lower is WallMotion.Sine && upper is WallMotion.Sine
-    val areAlike = behind == Math.rint(behind) &&
-        if (lower is WallMotion.Sawtooth) {
-            upper is WallMotion.Sawtooth && lower.rise == upper.rise
-        } else {
-            areSines || lower is WallMotion.BiParabolic && upper is WallMotion.BiParabolic
-        }
-    if (areAlike) return -abs(more)
-    if (!areSines) return null
-    val half = StrictMath.sin(Math.PI * behind)
-    return -sqrt(more * more + 4 * lower.amplitude * upper.amplitude * half * half)
 }

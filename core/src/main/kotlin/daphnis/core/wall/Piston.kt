@@ -1,4 +1,4 @@
-package daphnis.core.boundary
+package daphnis.core.wall
 
 import kotlin.math.abs
 
@@ -49,6 +49,7 @@ public class Piston @JvmOverloads constructor(
     /** Of its motion and in its force, ½ M V² − F · [position]. */
     public val energy: Double get() = 0.5 * mass * speed * speed - force * position
 
+    override val isKnownAhead: Boolean get() = false
     override val amplitude: Double get() = Double.POSITIVE_INFINITY
     override val strongest: Double = abs(acceleration)
 
@@ -67,7 +68,7 @@ public class Piston @JvmOverloads constructor(
      * The coefficient of restitution of a wall of infinite mass which gives a sphere of mass [m] the impulse that this
      * piston gives with [restitution]; 0 at least.
      */
-    internal fun coefficient(restitution: Double, m: Double): Double =
+    override fun coefficient(restitution: Double, m: Double): Double =
         maxOf(0.0, (1 + restitution) * (mass / (mass + m)) - 1)
 
     /** Ends a step of [duration] in which it gave the [impulse] along the axis to spheres. */
@@ -85,13 +86,6 @@ public class Piston @JvmOverloads constructor(
     override fun toString(): String = "piston of mass $mass under the force $force"
 }
 
-/** The pistons among the walls, by face. */
-internal val BoundaryConditions.pistons: Map<Int, Piston>
-    get() = buildMap { for (face in 0 until 2 * AXES) (wallMotion(face) as? Piston)?.let { put(face, it) } }
-
-/** Whether any wall is a piston, whose motion is known for one step only. */
-internal val BoundaryConditions.hasPistons: Boolean
-    get() {
-        for (face in 0 until 2 * AXES) if (wallMotion(face) is Piston) return true
-        return false
-    }
+/** The pistons among the walls, by number. */
+internal val WallSet.pistons: Map<Int, Piston>
+    get() = buildMap { for (number in numbers) (this@pistons[number]?.motion as? Piston)?.let { put(number, it) } }

@@ -1,9 +1,14 @@
-package daphnis.core.collision
+package daphnis.core.wall
 
 import daphnis.core.Sphere
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.Open
 import daphnis.core.boundary.Walls
+import daphnis.core.collision.CollisionLaw
+import daphnis.core.collision.CollisionOutcome
+import daphnis.core.collision.KnownCollisionsTest
+import daphnis.core.collision.NEVER
+import daphnis.core.collision.StepRows
 import daphnis.core.populationOf
 import daphnis.core.surface.ConstantRestitution
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -15,7 +20,9 @@ class WallContactTest {
 
     private val law = CollisionLaw(ConstantRestitution(1.0))
 
-    private fun walls(e: Double, vararg walled: Boolean) = WallContact().apply { prepare(Walls(box, e, walled), law) }
+    private fun walls(e: Double, vararg walled: Boolean) = WallContact().apply {
+        prepare(Walls(box, e, walled).walls, law)
+    }
 
     /** In slot 1, behind one that is elsewhere. */
     private fun rows(s: Sphere) = StepRows().apply {
@@ -27,18 +34,21 @@ class WallContactTest {
     fun `partners are numbered downward from -1, and lead back to their faces`() {
         val partners = (0 until WallContact.FACES).map { WallContact.partner(it) }
         assertEquals(listOf(-1, -2, -3, -4, -5, -6), partners)
-        assertEquals(listOf(0, 1, 2, 3, 4, 5), partners.map { WallContact.face(it) })
+        assertEquals(listOf(0, 1, 2, 3, 4, 5), partners.map { WallContact.number(it) })
     }
 
     @Test
     fun `there are walls while the boundary of the step has any`() {
         val contact = WallContact()
-        assertEquals(false, contact.present)
+        val rows = rows(Sphere(x = 4.0, y = 4.0, z = 2.0, vx = 2.0, vy = 2.0, vz = 2.0))
+
+        fun reached() = (0 until WallContact.FACES).filter { contact.time(rows, 1, it) < NEVER }
+        assertEquals(emptyList<Int>(), reached())
         for (axis in 0..2) {
-            contact.prepare(Walls(box, walled = BooleanArray(3) { it == axis }), law)
-            assertEquals(true, contact.present) { "axis $axis" }
-            contact.prepare(Open, law)
-            assertEquals(false, contact.present)
+            contact.prepare(Walls(box, walled = BooleanArray(3) { it == axis }).walls, law)
+            assertEquals(listOf(2 * axis + 1), reached())
+            contact.prepare(Open.walls, law)
+            assertEquals(emptyList<Int>(), reached())
         }
     }
 

@@ -1,4 +1,4 @@
-package daphnis.core.boundary
+package daphnis.core.wall
 
 /**
  * What one wall has of its own.
@@ -22,6 +22,6 @@ public class WallFace @JvmOverloads constructor(
         require(temperature == null || temperature > 0 && temperature.isFinite()) {
             "temperature of a wall is $temperature; it must be > 0"
         }
-        require(temperature == null || motion !is Piston) { "a wall is a piston; it cannot be thermal" }
+        require(temperature == null || motion?.isKnownAhead != false) { "a wall is a piston; it cannot be thermal" }
     }
 }

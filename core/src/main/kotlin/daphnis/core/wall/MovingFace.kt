@@ -1,6 +1,6 @@
-package daphnis.core.collision
+package daphnis.core.wall
 
-import daphnis.core.boundary.WallMotion
+import daphnis.core.collision.NEVER
 import kotlin.math.abs
 import kotlin.math.sqrt
 
@@ -26,7 +26,8 @@ internal class MovingFace(private val isLower: Boolean, private val motion: Wall
     private var duration = 0.0
     private var phase = 0.0
 
-    private val periodic = motion as? WallMotion.Periodic
+    /** Of its cycles; 0 when it has none. */
+    private val frequency = motion?.frequency ?: 0.0
 
     /** The least time by which a search goes on, and another by which it tries to be in the next piece. */
     private var grain = 0.0
@@ -43,9 +44,9 @@ internal class MovingFace(private val isLower: Boolean, private val motion: Wall
         this.place = place
         this.duration = duration
         phase = motion?.phase(start) ?: 0.0
-        moment = if (periodic == null) duration else minOf(duration, PART_OF_CYCLE / periodic.frequency)
+        moment = momentOf(motion, duration)
         grain = duration * GRAIN
-        grainOfPieces = grain + (if (periodic == null) 0.0 else GRAIN / periodic.frequency)
+        grainOfPieces = grain + (if (frequency == 0.0) 0.0 else GRAIN / frequency)
     }
 
     /** Velocity of the wall at [t] as spheres on chords see it. */
@@ -74,7 +75,7 @@ internal class MovingFace(private val isLower: Boolean, private val motion: Wall
      */
     fun contact(x: Double, v: Double, r: Double, from: Double): Double {
         var t = from
-        if (periodic != null) {
+        if (frequency > 0.0) {
             val away = inward * (x - innermost(duration)) - r
             if (away > 0.0) {
                 val nearing = -inward * v
@@ -151,8 +152,17 @@ internal class MovingFace(private val isLower: Boolean, private val motion: Wall
         private const val GRAIN = 1e-15
         private const val ALMOST = 1 - 1e-12
 
+        /** A time that is short for a step of [duration] and for the cycle of [motion]. */
+        fun momentOf(motion: WallMotion?, duration: Double): Double = if (motion == null ||
+            motion.frequency == 0.0
+        ) {
+            duration
+        } else {
+            minOf(duration, PART_OF_CYCLE / motion.frequency)
+        }
+
         /** That speeds which follow from it are small for those of the wall. */
-        const val PART_OF_CYCLE = 1.0 / 64
+        private const val PART_OF_CYCLE = 1.0 / 64
 
         /** Relative to the change of speed in that time, by the acceleration towards the wall. */
         const val LEAST_INELASTIC = 1.0 / 16
