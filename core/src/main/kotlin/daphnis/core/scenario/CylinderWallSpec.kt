@@ -4,11 +4,11 @@ import daphnis.core.input.ValueCheck
 import daphnis.core.surface.RoughnessSpec
 import daphnis.core.wall.CylinderWall
 import daphnis.core.wall.Wall
+import kotlinx.serialization.SerialName
+import kotlinx.serialization.Serializable
 import java.util.function.DoubleFunction
 import kotlin.math.PI
 import kotlin.math.abs
-import kotlinx.serialization.SerialName
-import kotlinx.serialization.Serializable
 
 /**
  * @property point on the axis

@@ -4,12 +4,12 @@ import daphnis.core.input.ValueCheck
 import daphnis.core.surface.RoughnessSpec
 import daphnis.core.wall.PlaneWall
 import daphnis.core.wall.Wall
+import kotlinx.serialization.SerialName
+import kotlinx.serialization.Serializable
 import java.util.function.DoubleFunction
 import kotlin.math.abs
 import kotlin.math.atan2
 import kotlin.math.sqrt
-import kotlinx.serialization.SerialName
-import kotlinx.serialization.Serializable
 
 /** @property belt velocity of the surface along itself */
 @Serializable

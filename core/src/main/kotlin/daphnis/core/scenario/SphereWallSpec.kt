@@ -4,10 +4,10 @@ import daphnis.core.input.ValueCheck
 import daphnis.core.surface.RoughnessSpec
 import daphnis.core.wall.SphereWall
 import daphnis.core.wall.Wall
-import java.util.function.DoubleFunction
-import kotlin.math.PI
 import kotlinx.serialization.SerialName
 import kotlinx.serialization.Serializable
+import java.util.function.DoubleFunction
+import kotlin.math.PI
 
 /**
  * @property room where the spheres are: outside, it is a body that is fixed, or moves as told

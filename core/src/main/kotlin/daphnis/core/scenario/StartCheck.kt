@@ -53,7 +53,11 @@ internal class StartCheck(
                 // Moonlets may stick out of the slab in which particles are placed.
                 ContactFaces.OPEN, ContactFaces.WRAPPING -> {
                     // Of an axis that a surface closes.
-                    if (isKnown && boundary.walls.surfaces.isNotEmpty()) walls.checkFall(axis, timeStep.next(population))
+                    if (isKnown &&
+                        boundary.walls.surfaces.isNotEmpty()
+                    ) {
+                        walls.checkFall(axis, timeStep.next(population))
+                    }
                     val hasRoom = scenario.bodies.isNotEmpty() || length > 2 * largest
                     check.must(key, hasRoom) { "is $length; it is thinner than the largest sphere, ${2 * largest}" }
                 }

@@ -99,7 +99,8 @@ internal class WallCheck(
     }
 
     private fun checkRoom(axis: Int, largest: Double) {
-        val room = boundary.walls.facing(scenario.startTime, end).find { it.areFaces && it.first shr 1 == axis } ?: return
+        val room =
+            boundary.walls.facing(scenario.startTime, end).find { it.areFaces && it.first shr 1 == axis } ?: return
         check.must("boundary.faces", room.apart > 2 * largest) {
             "lets the walls across ${"xyz"[axis]} come as near to each other as ${room.apart}; " +
                 "that must exceed the diameter of the largest sphere, ${2 * largest}"

@@ -2,8 +2,8 @@ package daphnis.core.scenario
 
 import daphnis.core.input.ValueCheck
 import daphnis.core.wall.WallFace
-import java.util.function.DoubleFunction
 import kotlinx.serialization.Serializable
+import java.util.function.DoubleFunction
 
 /** What a wall has of its own, see [WallFace]. */
 @Serializable

@@ -2,9 +2,9 @@ package daphnis.core.scenario
 
 import daphnis.core.input.ValueCheck
 import daphnis.core.wall.WallMotion
-import java.util.function.DoubleFunction
 import kotlinx.serialization.SerialName
 import kotlinx.serialization.Serializable
+import java.util.function.DoubleFunction
 
 /** How a wall moves along the axis across it, see [WallMotion]; toward greater coordinates is positive. */
 @Serializable

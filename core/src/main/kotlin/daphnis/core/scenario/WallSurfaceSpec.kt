@@ -8,10 +8,10 @@ import daphnis.core.surface.RoughnessSpec
 import daphnis.core.wall.RoomSide
 import daphnis.core.wall.Wall
 import daphnis.core.wall.WallFace
-import java.util.function.DoubleFunction
-import kotlin.math.abs
 import kotlinx.serialization.SerialName
 import kotlinx.serialization.Serializable
+import java.util.function.DoubleFunction
+import kotlin.math.abs
 
 /**
  * A wall that is not a face of the box as a scenario describes it, see [Wall]: what others ask of a wall is asked

@@ -24,11 +24,11 @@ import daphnis.core.randomSpheres
 import daphnis.core.simulationOf
 import daphnis.core.space.Images
 import daphnis.core.surface.ConstantRestitution
-import kotlin.math.abs
-import kotlin.math.sqrt
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import kotlin.math.abs
+import kotlin.math.sqrt
 
 /** Two that touch after a collision do not approach by round-off, or they would collide at once for ever. */
 class InelasticContactTest {

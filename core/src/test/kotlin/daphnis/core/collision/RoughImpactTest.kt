@@ -18,13 +18,13 @@ import daphnis.core.surface.ConstantRoughness
 import daphnis.core.surface.CoulombRoughness
 import daphnis.core.surface.Roughness
 import daphnis.core.wall.WallContact
-import java.math.BigDecimal
-import kotlin.math.abs
-import kotlin.math.sqrt
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import java.math.BigDecimal
+import kotlin.math.abs
+import kotlin.math.sqrt
 
 class RoughImpactTest {
     private val still = Images().apply { prepare(Open, 0.0) }

@@ -23,11 +23,11 @@ import daphnis.core.populationOf
 import daphnis.core.randomSpheres
 import daphnis.core.space.Images
 import daphnis.core.surface.ConstantRestitution
-import kotlin.math.abs
-import kotlin.math.sqrt
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import kotlin.math.abs
+import kotlin.math.sqrt
 
 class PotentialEnergyTest {
     private val box = Box.centred(10.0, 12.0, 8.0)

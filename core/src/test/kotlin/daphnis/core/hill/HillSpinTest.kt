@@ -20,12 +20,12 @@ import daphnis.core.space.Images
 import daphnis.core.surface.ConstantRestitution
 import daphnis.core.surface.CoulombRoughness
 import daphnis.core.wall.WallContact
-import kotlin.math.abs
-import kotlin.math.cos
-import kotlin.math.sin
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import kotlin.math.abs
+import kotlin.math.cos
+import kotlin.math.sin
 
 /** Spins relative to a frame that turns. */
 class HillSpinTest {

@@ -14,11 +14,11 @@ import daphnis.core.run.WallStatistics
 import daphnis.core.surface.ConstantRestitution
 import daphnis.core.wall.WallFace
 import daphnis.core.wall.WallMotion
-import kotlin.math.abs
-import kotlin.math.sqrt
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import kotlin.math.abs
+import kotlin.math.sqrt
 
 /**
  * Gases between walls: under gravity, at a piston, and between thermal walls. The equation of state is that of Carnahan

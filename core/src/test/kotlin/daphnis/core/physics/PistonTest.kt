@@ -21,14 +21,14 @@ import daphnis.core.surface.ConstantRestitution
 import daphnis.core.surface.ConstantRoughness
 import daphnis.core.wall.Piston
 import daphnis.core.wall.WallFace
-import kotlin.math.abs
-import kotlin.math.pow
-import kotlin.math.sqrt
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNotEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import kotlin.math.abs
+import kotlin.math.pow
+import kotlin.math.sqrt
 
 /** Gases of spheres of mass 1 and temperature 1 under pistons across x. */
 class PistonTest {

@@ -11,10 +11,10 @@ import daphnis.core.population.Population
 import daphnis.core.surface.ConstantRestitution
 import daphnis.core.wall.WallFace
 import daphnis.core.wall.WallMotion
-import kotlin.math.abs
-import kotlin.math.sqrt
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import kotlin.math.abs
+import kotlin.math.sqrt
 
 /** Steps of many cycles of a wall, or of many bounces, change nothing: contacts within a step are exact. */
 class VibratingWallTest {

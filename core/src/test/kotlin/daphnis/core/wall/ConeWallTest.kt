@@ -4,7 +4,6 @@ import daphnis.core.FixedTimeStep
 import daphnis.core.Simulation
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.Walls
-import daphnis.core.surface.ConstantRestitution
 import daphnis.core.collision.WallImpact
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.CollisionForcing
@@ -18,6 +17,7 @@ import daphnis.core.initial.SeededRandom
 import daphnis.core.parallel.FixedPool
 import daphnis.core.population.Population
 import daphnis.core.population.stateDigest
+import daphnis.core.surface.ConstantRestitution
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
