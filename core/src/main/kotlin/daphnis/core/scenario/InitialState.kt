@@ -26,7 +26,7 @@ internal class InitialState(
     private val start: Snapshot? = null,
 ) {
     /** Where spheres can be at the start: walls that move may not be at the faces of the box then. */
-    private val room = roomAtStart()
+    private val room = if (boundary.walls.any { it.motion != null }) roomAtStart() else box
 
     private fun roomAtStart(): Box = try {
         boundary.roomAt(scenario.startTime)

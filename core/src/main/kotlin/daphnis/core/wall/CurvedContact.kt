@@ -134,7 +134,7 @@ internal class CurvedContact(private val wall: CurvedWall, number: Int, walls: W
         val wg = wx * fallX + wy * fallY + wz * fallZ
         val now = 2 * (w2 + qg)
         val then = now + (6 * wg + 3 * fall2 * rest) * rest
-        val lowest = if (fall2 == 0.0) 0.0 else (-wg / fall2).coerceIn(0.0, rest)
+        val lowest = if (fall2 == 0.0) 0.0 else maxOf(0.0, minOf(-wg / fall2, rest))
         return use(now + (6 * wg + 3 * fall2 * lowest) * lowest, maxOf(now, then))
     }
 

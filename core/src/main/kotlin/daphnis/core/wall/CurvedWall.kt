@@ -22,26 +22,27 @@ public abstract class CurvedWall(
     roughness: Roughness?,
     way: List<Double>? = along,
 ) : Wall(face, roughness) {
-    internal val origin: DoubleArray = vector("point", point)
+    /** The point, not to be written to. */
+    public val origin: DoubleArray = vector("point", point)
 
     /** The axis, of length 1, or 0. */
-    internal val direction: DoubleArray = if (along == null) DoubleArray(AXES) else unit("axis", along)
+    public val direction: DoubleArray = if (along == null) DoubleArray(AXES) else unit("axis", along)
     internal val way: DoubleArray = if (way == null) DoubleArray(AXES) else unit("along", way)
 
     /** Whether the gap depends on h. */
-    internal open val leans: Boolean get() = true
+    public open val leans: Boolean get() = true
 
     /** See above; [q2] is q². */
-    internal abstract fun gap(q2: Double, h: Double, r: Double): Double
+    public abstract fun gap(q2: Double, h: Double, r: Double): Double
 
     /** How the [gap] changes, where q² does so with 2 [qw], and [h] with [u]. */
-    internal abstract fun rate(qw: Double, h: Double, u: Double, r: Double): Double
+    public abstract fun rate(qw: Double, h: Double, u: Double, r: Double): Double
 
     /**
      * The least second derivative of the [gap], where that of q² is between [least] and [most], and that of [h] is
      * [fall], in the time [rest] from now on.
      */
-    internal abstract fun bending(
+    public abstract fun bending(
         least: Double,
         most: Double,
         h: Double,
@@ -52,14 +53,14 @@ public abstract class CurvedWall(
     ): Double
 
     /** Distance of a point, negative beyond the surface. */
-    internal abstract fun distance(q: Double, h: Double): Double
+    public abstract fun distance(q: Double, h: Double): Double
 
     /**
      * Writes the normal into the room where a sphere at (qx, qy, qz) from the axis touches, its length, which is above
      * 0, and what of it is along the axis; and the acceleration by which the path presses the sphere to the surface,
      * where [q] changes with the second derivative [across], and h with [fall].
      */
-    internal abstract fun meet(
+    public abstract fun meet(
         qx: Double,
         qy: Double,
         qz: Double,
@@ -70,7 +71,7 @@ public abstract class CurvedWall(
     )
 
     /** Writes the velocity of the surface along itself, where the unit normal is known. */
-    internal open fun glide(impact: WallImpact): Unit = impact.surface(0.0, 0.0, 0.0)
+    public open fun glide(impact: WallImpact): Unit = impact.surface(0.0, 0.0, 0.0)
 
     override fun distanceAt(x: Double, y: Double, z: Double, moved: Double): Double =
         across(x, y, z, moved) { px, py, pz, h -> distance(sqrt(px * px + py * py + pz * pz), h) }

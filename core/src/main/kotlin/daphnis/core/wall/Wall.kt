@@ -32,10 +32,10 @@ public abstract class Wall(face: WallFace, public val roughness: Roughness?) {
     public val isDriven: Boolean get() = motion != null || temperature != null || glides
 
     /** Whether it moves along itself, as a belt or a drum does. */
-    internal open val glides: Boolean get() = false
+    public open val glides: Boolean get() = false
 
     /** Whether it moves along itself along [axis] everywhere. */
-    internal open fun glides(axis: Int): Boolean = false
+    public open fun glides(axis: Int): Boolean = false
 
     /** Distance of the point ([x], [y], [z]) from the surface at [time], negative beyond it. */
     @JvmOverloads
@@ -43,34 +43,34 @@ public abstract class Wall(face: WallFace, public val roughness: Roughness?) {
         distanceAt(x, y, z, motion?.displacement(time) ?: 0.0)
 
     /** The same of a wall that has moved by [moved]. */
-    internal abstract fun distanceAt(x: Double, y: Double, z: Double, moved: Double): Double
+    public abstract fun distanceAt(x: Double, y: Double, z: Double, moved: Double): Double
 
     /** Writes the unit normal into the room at the point ([x], [y], [z]) to [into]; 0 where there is none. */
-    internal abstract fun normal(x: Double, y: Double, z: Double, time: Double, into: DoubleArray)
+    public abstract fun normal(x: Double, y: Double, z: Double, time: Double, into: DoubleArray)
 
     /** Whether the surface is the same everywhere along [axis] (0 = x, 1 = y, 2 = z). */
-    internal abstract fun isSameAlong(axis: Int): Boolean
+    public abstract fun isSameAlong(axis: Int): Boolean
 
     /** Whether it keeps spheres between [lower] and [upper] along [axis] by itself. */
-    internal open fun encloses(axis: Int, lower: Double, upper: Double): Boolean = false
+    public open fun encloses(axis: Int, lower: Double, upper: Double): Boolean = false
 
     /** Whether there is room for a sphere of [radius]; where there is not, it is the wall's own radius that is small. */
-    internal open fun fits(radius: Double): Boolean = true
+    public open fun fits(radius: Double): Boolean = true
 
     /** Infinite where there is none. */
     public open val radius: Double get() = Double.POSITIVE_INFINITY
 
     /** The greatest coordinate or length that it is given by. */
-    internal abstract val farthest: Double
+    public abstract val farthest: Double
 
     /** Whether the room is where [cut] says; else all around that. */
-    internal open val isRoomWithin: Boolean get() = true
+    public open val isRoomWithin: Boolean get() = true
 
     /**
      * Writes to [into] where the line through [at] along [axis] enters the convex side of the surface at time 0, and
      * where it leaves; +∞ and −∞ where it is never there.
      */
-    internal abstract fun cut(at: DoubleArray, axis: Int, into: DoubleArray)
+    public abstract fun cut(at: DoubleArray, axis: Int, into: DoubleArray)
 
     /** Volume of the room that it encloses by itself, in a box of [lengths] along the [axes] that there are, if known. */
     internal open fun volume(axes: IntRange, lengths: (Int) -> Double): Double? = null
