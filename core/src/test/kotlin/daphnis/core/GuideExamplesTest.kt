@@ -20,7 +20,7 @@ class GuideExamplesTest {
         .associate { "${Repository.root.relativize(it)}" to COLUMN.replace(it.readText(), " //") }
 
     /** The examples of all tests, by name. */
-    private val examples: Map<String, String> = listOf("core", "actors", "analysis").flatMap { module ->
+    private val examples: Map<String, String> = listOf("core", "actors", "analysis", ".").flatMap { module ->
         Files.walk(Repository.root.resolve("$module/src/test")).use { files ->
             files.filter { it.extension in CODE && it.name != "GuideExamplesTest.kt" }.toList()
         }

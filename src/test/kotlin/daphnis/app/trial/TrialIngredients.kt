@@ -18,14 +18,17 @@ import kotlinx.serialization.Serializable
 import kotlin.math.sqrt
 
 /** Ingredients of another library, as docs/adding.md has them. */
+// example: ingredients
 class TrialIngredients : Ingredients {
     override val kinds: List<Kind<*>> = listOf(
         Kind(DragSpec::class, DragSpec.serializer()),
         Kind(AdhesiveSpec::class, AdhesiveSpec.serializer()),
     )
 }
+// end
 
 /** Drag −γ (v − u) toward a [wind] u that is the same everywhere, at the [rate] γ. */
+// example: drag
 @Serializable
 @SerialName("drag")
 class DragSpec(val rate: Double, val wind: List<Double> = listOf(0.0, 0.0, 0.0)) : ForceSpec {
@@ -47,6 +50,7 @@ class DragSpec(val rate: Double, val wind: List<Double> = listOf(0.0, 0.0, 0.0))
     override fun inWords(place: ForcePlace, population: Population, say: Quantities): String =
         "drag ${say.rate(rate)} in a wind of ${wind.joinToString { say.speed(it) }}"
 }
+// end
 
 /** ε = e √(1 − (v₀/v)²) above the [threshold] v₀ in cm/s, and 0 below: spheres that stick lose what they need to part. */
 @Serializable
