@@ -8,13 +8,20 @@ import daphnis.core.input.Ingredients
 import daphnis.core.input.Kind
 import daphnis.core.input.Quantities
 import daphnis.core.input.Quantities.Companion.number
+import daphnis.core.input.ValueCheck
 import daphnis.core.population.Population
+import daphnis.core.scenario.WallSurfaceSpec
+import daphnis.core.scenario.WallTraits
 import daphnis.core.surface.ContactLaw
 import daphnis.core.surface.LawPlace
 import daphnis.core.surface.Restitution
 import daphnis.core.surface.RestitutionSpec
+import daphnis.core.surface.RoughnessSpec
+import daphnis.core.wall.ConeWall
+import daphnis.core.wall.Wall
 import kotlinx.serialization.SerialName
 import kotlinx.serialization.Serializable
+import java.util.function.DoubleFunction
 import kotlin.math.sqrt
 
 /** Ingredients of another library, as docs/adding.md has them. */
@@ -23,6 +30,7 @@ class TrialIngredients : Ingredients {
     override val kinds: List<Kind<*>> = listOf(
         Kind(DragSpec::class, DragSpec.serializer()),
         Kind(AdhesiveSpec::class, AdhesiveSpec.serializer()),
+        Kind(ConeWallSpec::class, ConeWallSpec.serializer()),
     )
 }
 // end
@@ -69,6 +77,29 @@ class AdhesiveSpec(val coefficient: Double, val threshold: Double) : Restitution
 
     override fun inWords(say: Quantities): String =
         "adhesive, ${number(coefficient)} far above ${number(threshold)} cm/s, 0 below"
+}
+
+/** The inside of a cone, from its [apex] along its [axis]: at h along it, it is [slope] · h wide. */
+@Serializable
+@SerialName("cone")
+class ConeWallSpec(
+    val apex: List<Double>,
+    val axis: List<Double>,
+    val slope: Double,
+    override val restitution: Double? = null,
+    override val roughness: RoughnessSpec? = null,
+    override val temperature: Double? = null,
+) : WallSurfaceSpec {
+    override fun surface(key: String, check: ValueCheck): Wall {
+        val its = WallTraits(this, key, check)
+        check.positive("$key.slope", slope)
+        return ConeWall(its.vector("apex", apex), its.direction("axis", axis), slope, its.face, its.roughness)
+    }
+
+    override fun named(length: (Double) -> String): String = "cone from ${apex.map(length)}"
+
+    override fun inWords(number: DoubleFunction<String>): String =
+        "cone of slope ${number.apply(slope)} along (${axis.joinToString(" ") { number.apply(it) }})"
 }
 
 /** A second library with a drag. */

@@ -97,6 +97,27 @@ class TrialIngredientsTest {
     }
 
     @Test
+    fun `a wall is described, run by every engine and by nodes to one digest, and analysed`() {
+        val inCone = scenario("""{"type": "constant", "coefficient": 0.95}""")
+            .replace("""{"type": "periodic"}""", """{"type": "walls", "surfaces": [$CONE]}""")
+            .replace(
+                """{"type": "drag", "rate": 0.1}""",
+                """{"type": "uniform-acceleration", "acceleration": [0, 0, -1]}""",
+            )
+            .replace(""""count": 200""", """"count": 60""").replace(""""radius": 0.4""", """"radius": 0.25""")
+        Files.writeString(home.resolve("funnel.json"), inCone)
+        val described = done("describe", "funnel.json")
+        assertTrue("cone of slope 0.9 along (0 0 1)" in described) { described }
+        for (engine in listOf("serial", "horizon")) done("run", "funnel.json", "--engine", engine, "--out", engine)
+        done("run", "funnel.json", "--nodes", "2", "--out", "nodes")
+        assertEquals(digest("serial"), digest("horizon"))
+        assertEquals(digest("serial"), digest("nodes"))
+        assertTrue("daphnis" in done("analyze", "serial"))
+        val flat = typed("describe", "funnel.json", "--set", "boundary.surfaces[0].slope=0")
+        assertTrue("boundary.surfaces[0].slope: is 0.0; must be > 0" in flat.text) { flat.text }
+    }
+
+    @Test
     fun `wrong values, keys and types are one line that knows the library`() {
         val negative = typed("describe", "blown.json", "--set", "forces[0].rate=-1")
         assertEquals(2, negative.code)
@@ -143,5 +164,9 @@ class TrialIngredientsTest {
         assertEquals(emptySet<String>(), names - files.toSet())
         val kinds = Regex("`(\\w+Kinds)`").findAll(page).map { it.groupValues[1] }.toSet()
         assertEquals(setOf("ForceKinds", "RestitutionKinds", "WallSurfaceKinds"), kinds)
+    }
+
+    private companion object {
+        const val CONE = """{"type": "cone", "apex": [0, 0, -5], "axis": [0, 0, 1], "slope": 0.9}"""
     }
 }
