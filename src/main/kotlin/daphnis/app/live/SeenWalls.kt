@@ -55,7 +55,7 @@ internal class SeenWalls(
             val name = "${if (face and 1 == 0) "lower" else "upper"} ${NAMES[face shr 1]}"
             boundary.walls[face]?.motion?.let { if (it is Piston) "$name is a piston" else "$name moves" }
         }
-        return listOfNotNull(across) + moved + surfaces.map { it.named(length) }
+        return listOfNotNull(across) + moved + surfaces.map { it.named { value -> length(value) } }
     }
 
     private companion object {

@@ -47,7 +47,7 @@ internal class WallLines(private val walls: SeenWalls, private val low: DoubleAr
 
     /** What of the [curve] on the surface [k] is in the room. */
     private fun add(k: Int, curve: SurfaceCurve) {
-        val at = curve.at
+        val at = curve.at::apply
         var begin = -1
         for (n in 0..PIECES) {
             val isSeen = n < PIECES && isInRoom(k, at((n + 0.5) / PIECES))

@@ -96,7 +96,7 @@ class ConeWallSpec(
         return ConeWall(its.vector("apex", apex), its.direction("axis", axis), slope, its.face, its.roughness)
     }
 
-    override fun named(length: (Double) -> String): String = "cone from ${apex.map(length)}"
+    override fun named(length: DoubleFunction<String>): String = "cone from ${apex.map { length.apply(it) }}"
 
     override fun inWords(number: DoubleFunction<String>): String =
         "cone of slope ${number.apply(slope)} along (${axis.joinToString(" ") { number.apply(it) }})"

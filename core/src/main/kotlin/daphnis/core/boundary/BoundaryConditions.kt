@@ -1,3 +1,5 @@
+@file:JvmName("Boundaries")
+
 package daphnis.core.boundary
 
 import daphnis.core.population.Kinematics

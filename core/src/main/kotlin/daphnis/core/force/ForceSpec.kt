@@ -64,7 +64,10 @@ public class Pull(public val rate: Double, public val what: String)
 /**
  * White noise that accelerates each sphere by itself.
  *
- * @property intensity ξ² of a sphere by its mass, (length/time)² per unit of time
  * @property drag γ, per unit of time
+ * @param ofMass ξ² of a sphere by its mass, (length/time)² per unit of time
  */
-public class WhiteHeating(public val drag: Double, public val intensity: (mass: Double) -> Double)
+public class WhiteHeating(public val drag: Double, private val ofMass: (mass: Double) -> Double) {
+    /** ξ² of a sphere of [mass]. */
+    public fun intensity(mass: Double): Double = ofMass(mass)
+}

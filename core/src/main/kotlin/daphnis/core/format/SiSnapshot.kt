@@ -1,3 +1,5 @@
+@file:JvmName("SiSnapshots")
+
 package daphnis.core.format
 
 import daphnis.core.input.SiUnits

@@ -16,7 +16,7 @@ public sealed interface VelocitiesSpec {
     public val zeroMomentum: Boolean
 
     /** What draws the velocity of a sphere of a mass, with its values checked; null for none. */
-    public fun field(check: ValueCheck): ((mass: Double, random: SeededRandom, into: DoubleArray) -> Unit)? = null
+    public fun field(check: ValueCheck): DrawnVelocity? = null
 
     /** The granular temperature over the mean of [masses] to which velocities are scaled; null for as they are drawn. */
     public fun exactly(masses: DoubleArray): Double? = null
@@ -36,10 +36,10 @@ public sealed interface VelocitiesSpec {
         override val shearProfile: Boolean = false,
         override val zeroMomentum: Boolean = true,
     ) : VelocitiesSpec {
-        override fun field(check: ValueCheck): (Double, SeededRandom, DoubleArray) -> Unit {
+        override fun field(check: ValueCheck): DrawnVelocity {
             check.atLeast0("velocities.halfWidth", halfWidth)
             val field = UniformVelocities(halfWidth)
-            return { _, random, into -> field.draw(random, into) }
+            return DrawnVelocity { _, random, into -> field.draw(random, into) }
         }
     }
 
@@ -59,14 +59,14 @@ public sealed interface VelocitiesSpec {
         public val temperature: Double? = null,
         public val exact: Boolean = false,
     ) : VelocitiesSpec {
-        override fun field(check: ValueCheck): (Double, SeededRandom, DoubleArray) -> Unit {
+        override fun field(check: ValueCheck): DrawnVelocity {
             check.must("velocities", (sigma == null) != (temperature == null)) {
                 "needs exactly one of sigma and temperature"
             }
             sigma?.let { check.atLeast0("velocities.sigma", it) }
             temperature?.let { check.atLeast0("velocities.temperature", it) }
             val field = GaussianVelocities(1.0)
-            return { mass, random, into ->
+            return DrawnVelocity { mass, random, into ->
                 field.draw(random, into)
                 val sigma = sigma ?: sqrt((temperature ?: 0.0) / mass)
                 for (axis in 0..2) into[axis] *= sigma
@@ -79,4 +79,10 @@ public sealed interface VelocitiesSpec {
             else -> (temperature ?: 0.0) * masses.size / masses.sum()
         }
     }
+}
+
+/** Draws the velocity of a sphere. */
+public fun interface DrawnVelocity {
+    /** Draws that of a sphere of [mass] from [random], and writes it to [into]. */
+    public fun draw(mass: Double, random: SeededRandom, into: DoubleArray)
 }

@@ -106,6 +106,7 @@ public class Quantities(units: UnitsSpec, private val cmPerSecond: Double?) {
 
     public companion object {
         /** Four significant digits without a tail of zeros, written out unless very large or very small. */
+        @JvmStatic
         public fun number(value: Double): String {
             if (!value.isFinite()) return value.toString()
             val rounded = BigDecimal(value).round(MathContext(DIGITS))
@@ -116,6 +117,7 @@ public class Quantities(units: UnitsSpec, private val cmPerSecond: Double?) {
         }
 
         /** A number of bytes with a decimal prefix. */
+        @JvmStatic
         public fun bytes(count: Double): String = when {
             count < 1e3 -> String.format(Locale.ROOT, "%.0f B", count)
             count < 1e6 -> String.format(Locale.ROOT, "%.0f kB", count / 1e3)

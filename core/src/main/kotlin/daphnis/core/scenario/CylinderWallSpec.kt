@@ -61,8 +61,8 @@ public class CylinderWallSpec @JvmOverloads constructor(
         }
     }
 
-    override fun named(length: (Double) -> String): String =
-        "cylinder of radius ${length(radius)} along ${directionInWords(axis)}" +
+    override fun named(length: DoubleFunction<String>): String =
+        "cylinder of radius ${length.apply(radius)} along ${directionInWords(axis)}" +
             (if (slides) " that turns" else "") + outside(room)
 
     override fun inWords(number: DoubleFunction<String>): String =

@@ -19,7 +19,7 @@ internal class InitialVelocities(
         val spec =
             scenario.velocities ?: check.fail("velocities", "is missing; it is needed unless the placement is a file")
         val v = Array(3) { DoubleArray(masses.size) }
-        spec.field(check)?.let { field -> fill(v) { k, into -> field(masses[k], random, into) } }
+        spec.field(check)?.let { field -> fill(v) { k, into -> field.draw(masses[k], random, into) } }
         if (spec.zeroMomentum && masses.size >= 2) for (component in v) subtractMean(component, masses)
         spec.exactly(masses)?.let { makeExact(it, spec.zeroMomentum, masses, positions, v) }
         if (spec.shearProfile) addMeanFlow(v, positions)

@@ -87,7 +87,7 @@ public class PlaneWallSpec @JvmOverloads constructor(
         return found
     }
 
-    override fun named(length: (Double) -> String): String = "plane with normal ${directionInWords(normal)}" +
+    override fun named(length: DoubleFunction<String>): String = "plane with normal ${directionInWords(normal)}" +
         (if (motion != null) " that moves" else "") + if (slides) " with a belt" else ""
 
     override fun inWords(number: DoubleFunction<String>): String =

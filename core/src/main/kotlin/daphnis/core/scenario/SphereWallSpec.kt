@@ -54,7 +54,7 @@ public class SphereWallSpec @JvmOverloads constructor(
         }
     }
 
-    override fun named(length: (Double) -> String): String = "sphere of radius ${length(radius)}" +
+    override fun named(length: DoubleFunction<String>): String = "sphere of radius ${length.apply(radius)}" +
         (if (motion != null) " that moves" else "") + (if (slides) " that turns" else "") + outside(room)
 
     override fun inWords(number: DoubleFunction<String>): String =

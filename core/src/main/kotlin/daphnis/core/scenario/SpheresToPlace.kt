@@ -15,7 +15,7 @@ import daphnis.core.input.ValueCheck
 import daphnis.core.space.Space
 
 /** Spheres and where they are; their radii are [factor] times those that were to be placed. */
-public class PlacedSpheres(public val positions: Positions, public val factor: Double = 1.0)
+public class PlacedSpheres @JvmOverloads constructor(public val positions: Positions, public val factor: Double = 1.0)
 
 /**
  * Spheres of [radii] for which a placement finds places in the [room] of a [scenario].

@@ -47,14 +47,17 @@ public interface WallSurfaceSpec {
     public fun curves(corners: List<DoubleArray>, displacement: Double): List<SurfaceCurve> = emptyList()
 
     /** A short name for a reader; [length] writes a length with its unit. */
-    public fun named(length: (Double) -> String): String
+    public fun named(length: DoubleFunction<String>): String
 
     /** A description for a reader: [number] writes numbers. */
     public fun inWords(number: DoubleFunction<String>): String
 }
 
 /** A curve on a surface: the place [at] a parameter from 0 to 1. */
-public class SurfaceCurve(public val isStraight: Boolean = false, public val at: (Double) -> DoubleArray)
+public class SurfaceCurve @JvmOverloads constructor(
+    public val isStraight: Boolean = false,
+    public val at: DoubleFunction<DoubleArray>,
+)
 
 /** The walls besides faces of the box that a scenario can name. */
 internal object WallSurfaceKinds : Kinds<WallSurfaceSpec>(

@@ -43,7 +43,7 @@ public interface RestitutionSpec {
  * @property isOfPair whether it is that of a pair of materials
  * @param massOf the mass that a sphere of a radius has; null where that is not known
  */
-public class LawPlace(
+public class LawPlace @JvmOverloads constructor(
     public val key: String,
     public val cmPerSecond: Double,
     public val check: ValueCheck,
@@ -63,7 +63,7 @@ public class LawPlace(
  *
  * @property mass null for what a sphere of [radius] has
  */
-public class MeasuredSphere(public val radius: Double, public val mass: Double? = null)
+public class MeasuredSphere @JvmOverloads constructor(public val radius: Double, public val mass: Double? = null)
 
 /** The laws that a scenario can name. */
 internal object RestitutionKinds : Kinds<RestitutionSpec>(

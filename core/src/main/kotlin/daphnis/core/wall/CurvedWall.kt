@@ -15,7 +15,7 @@ import kotlin.math.sqrt
  * @param along the axis, of any length > 0; null for none
  * @param way along which it moves as its motion says, of any length > 0; that of the axis when not given
  */
-public abstract class CurvedWall(
+public abstract class CurvedWall @JvmOverloads constructor(
     point: List<Double>,
     along: List<Double>?,
     face: WallFace,
