@@ -62,8 +62,8 @@ public interface BoundaryConditions : Kinematics {
      */
     public val walls: WallSet get() = WallSet.NONE
 
-    /** Whether the radii of spheres change with time. */
-    public val changesRadii: Boolean get() = false
+    /** How radii change with time; null where they do not. */
+    public val growth: Growth? get() = null
 
     /** Volume of the room, in the plane its area: that of the [box], less what other [walls] cut off at time 0. */
     public val volume: Double get() = box.volume
@@ -136,6 +136,18 @@ public interface PerSphereBoundary : BoundaryConditions {
     override fun endStep(population: Population, time: Double) {
         endStep(population, time, 0, population.size)
     }
+}
+
+/** What spheres that grow while they collide say of themselves. */
+public interface Growth {
+    /** The reduced pressure P V/(N kT) in the last step; NaN where it cannot be known. */
+    public val reducedPressure: Double
+
+    /** The part of the box that the spheres of [population] fill; the same bits for any order of them. */
+    public fun fillingFactor(population: Population): Double
+
+    /** Takes over the [reducedPressure] from a run that went before. */
+    public fun resume(reducedPressure: Double)
 }
 
 /** The volume of the room in [box], which is that of this boundary unless that is open. */

@@ -1,7 +1,6 @@
 package daphnis.core.cluster
 
 import daphnis.core.RemoteSteps
-import daphnis.core.compression.GrowingSpheres
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.engine.EngineFactory
@@ -64,7 +63,7 @@ public class FleetEngines internal constructor(
                 "has a piston, which nodes do not move yet; run it on one machine",
             )
         }
-        if (setup.boundary.changesRadii) {
+        if (setup.boundary.growth != null) {
             throw InputException(source, "growth", "is not computed by nodes yet; run it on one machine")
         }
         if (setup.forces.any { it is MutualGravity && it !is RadialGravity }) {

@@ -2,6 +2,7 @@ package daphnis.core.compression
 
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.ContactFaces
+import daphnis.core.boundary.Growth
 import daphnis.core.boundary.PerSphereBoundary
 import daphnis.core.boundary.Periodic
 import daphnis.core.force.Drift
@@ -42,6 +43,7 @@ public class GrowingSpheres @JvmOverloads constructor(
     public val from: Double = 0.0,
     public val thermostat: Boolean = true,
 ) : PerSphereBoundary,
+    Growth,
     Drift {
     private val periodic = Periodic(box)
     private var loop: RangeLoop = InlineLoop
@@ -65,18 +67,21 @@ public class GrowingSpheres @JvmOverloads constructor(
      * d N kT (Z − 1) da/a in d dimensions. NaN before the first step, with fewer than two spheres, where none moves
      * relative to the others, and where radii grow by less than their rounding. It holds for elastic collisions only.
      */
-    public var reducedPressure: Double = Double.NaN
+    override var reducedPressure: Double = Double.NaN
         internal set
 
-    /** The part of the box that the spheres of [population] fill; the same bits for any order of them. */
-    public fun fillingFactor(population: Population): Double {
+    override fun resume(reducedPressure: Double) {
+        this.reducedPressure = reducedPressure
+    }
+
+    override fun fillingFactor(population: Population): Double {
         val radius = population.radius
         return SphereSum().of(population) { space.volume(radius[it]) } / box.volume
     }
 
     override val approach: Double get() = gamma / scale
 
-    override val changesRadii: Boolean get() = true
+    override val growth: Growth get() = this
 
     override fun contactFaces(axis: Int): ContactFaces = periodic.contactFaces(axis)
 

@@ -4,7 +4,6 @@ import daphnis.core.Opening
 import daphnis.core.OutputState
 import daphnis.core.cluster.FleetException
 import daphnis.core.collision.CollisionCounters
-import daphnis.core.compression.GrowingSpheres
 import daphnis.core.step.CollapseException
 import daphnis.core.wall.pistons
 import java.io.IOException
@@ -103,7 +102,7 @@ internal class Execution(
      */
     private fun reason(e: Exception): String {
         val said = e.message ?: e.javaClass.name
-        val growth = simulation.boundary as? GrowingSpheres
+        val growth = simulation.boundary.growth
         val pressure = growth?.reducedPressure ?: Double.NaN
         if (growth == null || e !is CollapseException && !(pressure > JAMMED)) return said
         val filling = growth.fillingFactor(simulation.population)
@@ -134,7 +133,7 @@ internal class Execution(
             CheckpointMeta.counted(simulation.collisions?.counters ?: CollisionCounters()),
             wallSeconds,
             losses = from?.losses.orEmpty(),
-            reducedPressure = (simulation.boundary as? GrowingSpheres)?.reducedPressure?.takeIf { it.isFinite() },
+            reducedPressure = simulation.boundary.growth?.reducedPressure?.takeIf { it.isFinite() },
             pistons = simulation.boundary.walls.pistons.mapValues { (_, it) -> listOf(it.position, it.speed) },
         )
         val population = simulation.population

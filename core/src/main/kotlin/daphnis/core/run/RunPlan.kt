@@ -3,7 +3,6 @@ package daphnis.core.run
 import daphnis.core.Output
 import daphnis.core.Simulation
 import daphnis.core.cluster.FleetEngines
-import daphnis.core.compression.GrowingSpheres
 import daphnis.core.engine.EngineFactory
 import daphnis.core.engine.SerialEngine
 import daphnis.core.population.MaterialSums
@@ -46,13 +45,13 @@ internal class RunPlan(
         if (ModesOutput.times(output).isNever) null else ModeSums(output.modes, simulation.boundary, sums.firstBody),
         simulation.boundary.walls.areDriven,
         simulation.boundary.walls.surfaces.size,
-        simulation.boundary.changesRadii,
+        simulation.boundary.growth != null,
         simulation.boundary.walls.pistons.keys,
     )
 
     /** Whether the run ends before [until], with the present state. */
     fun isOver(): Boolean {
-        val growth = simulation.boundary as? GrowingSpheres ?: return false
+        val growth = simulation.boundary.growth ?: return false
         return scenario?.growth?.isOver(simulation.population, growth) ?: false
     }
 
@@ -96,7 +95,7 @@ internal fun planOf(
         val forcing = setup.collisions(engine, records)
         meta?.countInto(forcing.counters)
         meta?.putPistons(setup.boundary)
-        meta?.reducedPressure?.let { (setup.boundary as? GrowingSpheres)?.reducedPressure = it }
+        meta?.reducedPressure?.let { setup.boundary.growth?.resume(it) }
         val time = meta?.time ?: scenario.startTime
         val step = meta?.step ?: 0
         val elsewhere = nodes?.steps(setup, source, setup.population, forcing, time, step)

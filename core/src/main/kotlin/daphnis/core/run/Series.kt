@@ -2,7 +2,7 @@ package daphnis.core.run
 
 import daphnis.core.Output
 import daphnis.core.Simulation
-import daphnis.core.compression.GrowingSpheres
+import daphnis.core.boundary.Growth
 import daphnis.core.force.Drift
 import daphnis.core.format.Snapshot
 import daphnis.core.population.MaterialSums
@@ -55,7 +55,7 @@ internal class SeriesRow(val simulation: Simulation, stepSums: StepSums) {
     val materials: MaterialSums? = stepSums.materials(simulation)
 
     /** Null where spheres do not grow. */
-    val growth: GrowingSpheres? = simulation.boundary as? GrowingSpheres
+    val growth: Growth? = simulation.boundary.growth
 
     /** By face. */
     val pistons: Map<Int, Piston> = simulation.boundary.walls.pistons

@@ -2,6 +2,7 @@ package daphnis.core.scenario
 
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
+import daphnis.core.boundary.Growth
 import daphnis.core.compression.GrowingSpheres
 import daphnis.core.initial.fillingFactor
 import daphnis.core.input.ValueCheck
@@ -34,11 +35,11 @@ public class GrowthSpec @JvmOverloads constructor(
     /** The same with the rate over radii at the time [since]. */
     internal fun since(since: Double?) = GrowthSpec(rate, thermostat, untilFillingFactor, untilPressure, since)
 
-    /** Whether a run ends with [population], which has grown in [boundary]. */
-    internal fun isOver(population: Population, boundary: GrowingSpheres): Boolean = untilFillingFactor != null &&
-        (boundary.fillingFactor(population) >= untilFillingFactor) == (rate > 0) ||
+    /** Whether a run ends with [population], which grows by [growth]. */
+    internal fun isOver(population: Population, growth: Growth): Boolean = untilFillingFactor != null &&
+        (growth.fillingFactor(population) >= untilFillingFactor) == (rate > 0) ||
         untilPressure != null &&
-        boundary.reducedPressure >= untilPressure
+        growth.reducedPressure >= untilPressure
 }
 
 /** Checks the growth of a scenario and puts it into its boundary. */

@@ -146,19 +146,25 @@ internal class CurvedContact(private val wall: CurvedWall, number: Int, walls: W
         play = 0.125 * g * duration * duration + (high - low) / 2
     }
 
-    override fun soonest(x: Double, y: Double, z: Double, vx: Double, vy: Double, vz: Double, r: Double): Double =
-        wall.across(x, y, z, middle) { qx, qy, qz, h ->
-            val u = vx * ax + vy * ay + vz * az
-            val wx = vx - u * ax
-            val wy = vy - u * ay
-            val wz = vz - u * az
-            val wide = r + play
-            val gap = wall.gap(qx * qx + qy * qy + qz * qz, h, wide)
-            if (gap <= 0.0) return 0.0
-            val rate = wall.rate(qx * wx + qy * wy + qz * wz, h, u, wide)
-            val square = 2 * (wx * wx + wy * wy + wz * wz)
-            waitForGap(gap, rate, wall.bending(square, square, h, u, 0.0, 0.0, wide), isExact = true)
-        }
+    override fun soonest(x: Double, y: Double, z: Double, vx: Double, vy: Double, vz: Double, r: Double): Double {
+        val dx = x - ox - middle * wall.way[0]
+        val dy = y - oy - middle * wall.way[1]
+        val dz = z - oz - middle * wall.way[2]
+        val h = dx * ax + dy * ay + dz * az
+        val qx = dx - h * ax
+        val qy = dy - h * ay
+        val qz = dz - h * az
+        val wide = r + play
+        val gap = wall.gap(qx * qx + qy * qy + qz * qz, h, wide)
+        if (gap <= 0.0) return 0.0
+        val u = vx * ax + vy * ay + vz * az
+        val wx = vx - u * ax
+        val wy = vy - u * ay
+        val wz = vz - u * az
+        val rate = wall.rate(qx * wx + qy * wy + qz * wz, h, u, wide)
+        val square = 2 * (wx * wx + wy * wy + wz * wz)
+        return waitForGap(gap, rate, wall.bending(square, square, h, u, 0.0, 0.0, wide), isExact = true)
+    }
 
     override fun meet(rows: StepRows, slot: Int, time: Double, impact: WallImpact): Boolean {
         relative(rows, slot, time) { qx, qy, qz, _, wx, wy, wz, u ->

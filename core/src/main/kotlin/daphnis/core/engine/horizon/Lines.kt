@@ -179,19 +179,14 @@ internal class Lines(private val frame: EpochFrame) : GrowingTable() {
      */
     fun touchWall(i: Int, t: Double): Double {
         val r = state[place(i) + RADIUS] + frame.inflation
+        val x = at(i, 0, t)
+        val y = at(i, 1, t)
+        val z = at(i, 2, t)
+        val vx = velocity(i, 0)
+        val vy = velocity(i, 1)
+        val vz = velocity(i, 2)
         var first = NEVER
-        for (wall in frame.walls) {
-            val wait = wall.soonest(
-                at(i, 0, t),
-                at(i, 1, t),
-                at(i, 2, t),
-                velocity(i, 0),
-                velocity(i, 1),
-                velocity(i, 2),
-                r,
-            )
-            first = minOf(first, t + wait)
-        }
+        for (wall in frame.walls) first = minOf(first, t + wall.soonest(x, y, z, vx, vy, vz, r))
         return first
     }
 
