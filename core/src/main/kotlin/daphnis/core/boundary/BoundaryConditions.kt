@@ -1,5 +1,7 @@
 @file:JvmName("Boundaries")
 
+@file:JvmName("Boundaries")
+
 package daphnis.core.boundary
 
 import daphnis.core.population.Kinematics
