@@ -1,7 +1,5 @@
 @file:JvmName("Boundaries")
 
-@file:JvmName("Boundaries")
-
 package daphnis.core.boundary
 
 import daphnis.core.population.Kinematics
