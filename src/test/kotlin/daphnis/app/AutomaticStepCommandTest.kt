@@ -3,6 +3,7 @@ package daphnis.app
 import daphnis.core.run.Summary
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import java.nio.file.Files
@@ -30,6 +31,7 @@ class AutomaticStepCommandTest {
 
     private fun digest(name: String) = Summary.read(folder.resolve(name).resolve("summary.json")).stateDigest
 
+    @Tag("thorough")
     @Test
     fun `every engine ends in the same state, and a bench compares them`() {
         for (engine in allEngines.names) {
@@ -69,6 +71,7 @@ class AutomaticStepCommandTest {
         assertTrue(Regex("about (1500000|1\\.5e6) of 1e-6").containsMatchIn(long)) { long }
     }
 
+    @Tag("thorough")
     @Test
     fun `a sweep, a start from a time, a set interval in place of a number of steps, and a resume`() {
         val words = arrayOf("sweep", gas, "--set", "output.snapshotInterval=0.5,1.5", "--seeds", "1", "--out", out("s"))

@@ -4,6 +4,7 @@ import daphnis.core.scenario.ScenarioJson
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import java.nio.file.Files
@@ -40,6 +41,7 @@ class CommandLineTest {
         assertTrue("step 0: particle 0, x =" in differs.out) { differs.out }
     }
 
+    @Tag("thorough")
     @Test
     fun `every engine gives the same digest and the same log of collisions, and the summary says which it was`() {
         val logs = HashSet<String>()

@@ -9,6 +9,7 @@ import daphnis.core.run.RunException
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNull
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import java.io.ByteArrayOutputStream
@@ -73,6 +74,7 @@ class FailuresTest {
         }
     }
 
+    @Tag("thorough")
     @Test
     fun `a stack trace is shown when it is asked for, wherever the word stands`() {
         for (words in listOf(listOf("resume", at("x"), "--debug"), listOf("--debug", "resume", at("x")))) {
@@ -173,6 +175,7 @@ class FailuresTest {
         assertTrue("differ: one ended after step 12, the other after step 8" in reverse) { reverse }
     }
 
+    @Tag("thorough")
     @Test
     fun `a damaged snapshot is named with the way out, which works`() {
         small("a", "--set", "output.snapshotEvery=4")

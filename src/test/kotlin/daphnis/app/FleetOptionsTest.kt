@@ -25,6 +25,7 @@ class FleetOptionsTest {
     @TempDir
     lateinit var folder: Path
 
+    @Tag("thorough")
     @Test
     fun `two nodes on this machine give the files of one process, and resume goes on without them`() {
         val one = "${folder.resolve("one")}"
@@ -41,6 +42,7 @@ class FleetOptionsTest {
         )
     }
 
+    @Tag("thorough")
     @Test
     fun `what is wrong is told in one line before a node is started`() {
         val out = "${folder.resolve("out")}"
@@ -66,6 +68,7 @@ class FleetOptionsTest {
         assertTrue(Files.list(folder).use { it.count() } == 0L)
     }
 
+    @Tag("thorough")
     @Test
     fun `a second run says which run it waits for, and computes when that has ended`() {
         val settings = ClusterSettings()

@@ -4,6 +4,7 @@ import io.jhdf.HdfFile
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import java.nio.file.Files
@@ -126,6 +127,7 @@ class HostileInputTest {
         return process.exitValue() to said
     }
 
+    @Tag("thorough")
     @Test
     fun `in a locale of ASCII a name beyond it becomes a directory, and a path beyond it is one line`() {
         val given = daphnis("scenarios", "elastic-gas").out

@@ -2,6 +2,7 @@ package daphnis.app
 
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import java.nio.file.Path
@@ -37,6 +38,7 @@ class HugeNumbersTest {
         listOf("units.speedInCmPerSecond", VISCOELASTIC),
     )
 
+    @Tag("thorough")
     @Test
     fun `what is described can begin, whatever the numbers`() {
         val wrong = ArrayList<String>()

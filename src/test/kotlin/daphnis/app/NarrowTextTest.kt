@@ -3,6 +3,7 @@ package daphnis.app
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNull
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import java.io.File
@@ -49,8 +50,12 @@ class NarrowTextTest {
 
     @Test
     fun `what is written elsewhere than to a terminal is as wide as the variable COLUMNS says`() {
-        fun widest(vararg words: String): Int = said(*words).lines().maxOf { it.length }
         assertTrue(widest("describe", "cooling-gas") in 30..40)
+    }
+
+    @Tag("thorough")
+    @Test
+    fun `so is what every other command writes`() {
         assertTrue(widest("scenarios") in 30..40)
         assertTrue(widest("run", "--help") in 30..40)
         val sweep = arrayOf("sweep", "cooling-gas", "--set", "particles.count=30", "--set", "until=1", "--quiet")
@@ -58,6 +63,8 @@ class NarrowTextTest {
         val bench = arrayOf("bench", "cooling-gas", "--engines", "serial", "--steps", "1", "--rounds", "1", "--quiet")
         assertTrue(widest(*bench, "--out", "b") in 30..40)
     }
+
+    private fun widest(vararg words: String): Int = said(*words).lines().maxOf { it.length }
 
     /** In a process of its own, since the environment of this one is what it is. */
     private fun said(vararg words: String): String {

@@ -33,6 +33,7 @@ class NodeCommandTest {
             listOf("node", "--join", "$address", "--until-input-ends", "--threads", "1") + words
     }, lines::add, within = Duration.ofSeconds(120))
 
+    @Tag("thorough")
     @Test
     fun `nodes that another process has started join, print no news, and end with their input`() {
         val nodes = start(2)
@@ -56,6 +57,7 @@ class NodeCommandTest {
         assertDone(daphnis("compare", alone, "${folder.resolve("nodes")}"))
     }
 
+    @Tag("thorough")
     @Test
     fun `a node whose parent has gone while it joins ends too`() {
         // Nobody listens on port 1.
@@ -70,6 +72,7 @@ class NodeCommandTest {
         }
     }
 
+    @Tag("thorough")
     @Test
     fun `a node that cannot listen ends with its reason`() {
         ServerSocket(0, 1, InetAddress.getByName("127.0.0.1")).use { taken ->

@@ -15,6 +15,7 @@ import daphnis.core.scenario.OutputSpec
 import daphnis.core.scenario.ScenarioSetup
 import daphnis.core.surface.ConstantRestitution
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import java.nio.file.Files
@@ -73,6 +74,7 @@ class ProgramRunTest {
         assertRefused(si, "--units", "the program 'gas in a program'")
     }
 
+    @Tag("thorough")
     @Test
     fun `a scenario says what its box and frame are, but not which law was at work`() {
         val sheared = run("sheared") { LeesEdwards(it, 0.3) }

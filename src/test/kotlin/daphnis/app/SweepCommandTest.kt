@@ -54,6 +54,7 @@ class SweepCommandTest {
         assertTrue(Files.size(folder.resolve("a/plots/end_granular_temperature.png")) > 1000)
     }
 
+    @Tag("thorough")
     @Test
     fun `the tables do not depend on the number of runs at a time, and the same command does nothing again`() {
         val words = arrayOf(*small, "--seeds", "1..3", "--set", "timeStep.dt=0.1,0.05")
@@ -71,6 +72,7 @@ class SweepCommandTest {
         assertReplacedWhole(tables) { assertDone(sweep(*words, "--out", out("a"), "--quiet")) }
     }
 
+    @Tag("thorough")
     @Test
     fun `a file that is changed or removed while the sweep goes on changes none of its runs`() {
         val file = folder.resolve("own.json")
@@ -166,6 +168,7 @@ class SweepCommandTest {
         assertEquals(whole, Files.readString(series))
     }
 
+    @Tag("thorough")
     @Test
     fun `a run that was resumed to another end is not taken for the sweep's, and is done again when it is removed`() {
         val words = arrayOf(*small, "--seeds", "1,2", "--out", out("a"), "--quiet")
@@ -181,6 +184,7 @@ class SweepCommandTest {
         assertEquals(before, lines("a/sweep.csv"))
     }
 
+    @Tag("thorough")
     @Test
     fun `a run that was replaced by hand by another is left out, and one that is the same is taken`() {
         val words = arrayOf(*small, "--set", "restitution.coefficient=0.5,0.9", "--out", out("a"), "--quiet")
@@ -207,6 +211,7 @@ class SweepCommandTest {
         }
     }
 
+    @Tag("thorough")
     @Test
     fun `runs in orbits, from a file and with what a scenario leaves open are known again`() {
         val ring = arrayOf("ring-patch", "--set", "untilOrbits=0.02", "--set", "box.lengths=[20,20,20]")
@@ -243,6 +248,7 @@ class SweepCommandTest {
         assertFalse(Files.exists(folder.resolve("a/plots")))
     }
 
+    @Tag("thorough")
     @Test
     fun `runs that are not steady are counted below the table`() {
         val words = arrayOf("cooling-gas", "--set", "until=20", "--set", "particles.count=300", "--seeds", "1,2")

@@ -18,12 +18,14 @@ import java.time.Duration;
 import java.util.List;
 import org.apache.pekko.actor.ActorSystem;
 import org.apache.pekko.cluster.Cluster;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /** A node and runs in actor systems of a program in Java. */
 @Timeout(300)
+@Tag("thorough")
 class HostSystemJavaTest {
     private static final String OWN = """
         pekko { loglevel = OFF, stdout-loglevel = OFF, loggers = [], daemonic = on }

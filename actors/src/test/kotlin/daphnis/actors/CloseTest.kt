@@ -60,6 +60,7 @@ abstract class CloseContract(shares: Boolean) : BothWays(shares) {
         assertEquals(initial, stateDigest(step.population))
     }
 
+    @Tag("thorough")
     @Test
     fun `closed from another thread in every phase`() {
         for (phase in phases) {
@@ -86,6 +87,7 @@ abstract class CloseContract(shares: Boolean) : BothWays(shares) {
         }
     }
 
+    @Tag("thorough")
     @Test
     fun `closed from within a function that a region calls, and from a thread that this waits for`() {
         val ways = listOf<(CollisionEngine) -> Unit>(
@@ -185,6 +187,7 @@ abstract class CloseContract(shares: Boolean) : BothWays(shares) {
         host.terminate()
     }
 
+    @Tag("thorough")
     @Test
     fun `a coroutine cancelled at many moments around the end of a step`() {
         val last = LastCommand(lastPhase)
@@ -265,4 +268,5 @@ abstract class CloseContract(shares: Boolean) : BothWays(shares) {
 
 class CloseTest : CloseContract(shares = false)
 
+@Tag("thorough")
 class SharedCloseTest : CloseContract(shares = true)

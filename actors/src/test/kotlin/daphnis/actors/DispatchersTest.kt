@@ -16,6 +16,7 @@ import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.launch
 import kotlinx.coroutines.runBlocking
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.Timeout
 import kotlin.coroutines.ContinuationInterceptor
@@ -70,6 +71,7 @@ class DispatchersTest {
         }
     }
 
+    @Tag("thorough")
     @Test
     fun `a hundred simulations on two threads of the default dispatcher`() {
         val two = Dispatchers.Default.limitedParallelism(2)

@@ -172,6 +172,7 @@ abstract class FaultsContract(shares: Boolean) : BothWays(shares) {
         }
     }
 
+    @Tag("thorough")
     @Test
     fun `a slow region is waited for, longer than the patience with regions that do not begin`() {
         for (engine in engines {
@@ -208,4 +209,5 @@ abstract class FaultsContract(shares: Boolean) : BothWays(shares) {
 
 class FaultsTest : FaultsContract(shares = false)
 
+@Tag("thorough")
 class SharedFaultsTest : FaultsContract(shares = true)

@@ -13,6 +13,7 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.Timeout
 import java.util.concurrent.CountDownLatch
@@ -48,6 +49,7 @@ abstract class HostEndsContract(shares: Boolean) : BothWays(shares) {
         }
     }
 
+    @Tag("thorough")
     @Test
     fun `an actor system that ends in the middle of a step`() {
         for (moment in intArrayOf(1, 3, 30, 100)) {
@@ -182,4 +184,5 @@ abstract class HostEndsContract(shares: Boolean) : BothWays(shares) {
 
 class HostEndsTest : HostEndsContract(shares = false)
 
+@Tag("thorough")
 class SharedHostEndsTest : HostEndsContract(shares = true)

@@ -49,6 +49,7 @@ abstract class InterruptsContract(shares: Boolean) : BothWays(shares) {
         }
     }
 
+    @Tag("thorough")
     @Test
     fun `a storm of interrupts of the host, from its first step to its last`() {
         val host = Thread.currentThread()
@@ -90,6 +91,7 @@ abstract class InterruptsContract(shares: Boolean) : BothWays(shares) {
         FaultKit.awaitNoEngineThreads()
     }
 
+    @Tag("thorough")
     @Test
     fun `a storm of interrupts of the threads on which regions run`() {
         val disturb = {
@@ -112,6 +114,7 @@ abstract class InterruptsContract(shares: Boolean) : BothWays(shares) {
         FaultKit.awaitNoEngineThreads()
     }
 
+    @Tag("thorough")
     @Test
     fun `engines that come and go, closed in order, in the middle of a step, or after a failure, leave no thread`() {
         for (which in 0..1) {
@@ -164,4 +167,5 @@ abstract class InterruptsContract(shares: Boolean) : BothWays(shares) {
 
 class InterruptsTest : InterruptsContract(shares = false)
 
+@Tag("thorough")
 class SharedInterruptsTest : InterruptsContract(shares = true)

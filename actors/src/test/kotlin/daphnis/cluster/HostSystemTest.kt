@@ -22,6 +22,7 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.Timeout
 import org.junit.jupiter.api.io.TempDir
@@ -62,6 +63,7 @@ class HostSystemTest {
     private fun leader(system: ActorSystem, run: String) =
         ClusterFleet.on(system, TestedFleet.SECRET, run) { lines += it }
 
+    @Tag("thorough")
     @Test
     fun `runs follow one another on nodes of a host, whose systems and cluster stay`() {
         val nodes = listOf(system(ours = HostConfig.node()), typed(HostConfig.node()))
@@ -91,6 +93,7 @@ class HostSystemTest {
         }
     }
 
+    @Tag("thorough")
     @Test
     fun `the programs of the guide`(@TempDir path: Path) {
         val own = ConfigFactory.parseString(HOST)

@@ -12,6 +12,7 @@ import org.junit.jupiter.api.AfterEach
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.Timeout
 import org.junit.jupiter.api.io.TempDir
@@ -50,6 +51,7 @@ class RefusalsTest {
         assertEquals(1, await(fleet, 1).size)
     }
 
+    @Tag("thorough")
     @Test
     fun `another version or protocol is refused on both sides`() {
         val node = tested.node()
@@ -60,6 +62,7 @@ class RefusalsTest {
         }
     }
 
+    @Tag("thorough")
     @Test
     fun `a port in use, an address of another machine and silence are told in one line`() {
         ServerSocket(0, 1, InetAddress.getByName("127.0.0.1")).use { taken ->
@@ -78,6 +81,7 @@ class RefusalsTest {
         assertTrue("is that an address of this machine?" in refusal { tested.node(settings = foreign) })
     }
 
+    @Tag("thorough")
     @Test
     fun `the first of a list begins a cluster, and the others wait for it`() {
         val ports = List(2) { FreePorts.one() }

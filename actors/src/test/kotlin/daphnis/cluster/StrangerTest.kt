@@ -19,6 +19,7 @@ import org.apache.pekko.cluster.ClusterUserAction
 import org.junit.jupiter.api.AfterEach
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.Timeout
 import org.junit.jupiter.api.io.TempDir
@@ -79,6 +80,7 @@ class StrangerTest {
         assertWorks(node)
     }
 
+    @Tag("thorough")
     @Test
     fun `who has not the secret neither joins nor declares a node lost`() {
         val node = tested.node()

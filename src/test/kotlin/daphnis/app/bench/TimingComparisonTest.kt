@@ -3,6 +3,7 @@ package daphnis.app.bench
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNull
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import java.util.Random
 
@@ -67,6 +68,7 @@ class TimingComparisonTest {
 
     private fun log2(value: Double) = Math.log(value) / Math.log(2.0)
 
+    @Tag("thorough")
     @Test
     fun `nine intervals of ten hold the true ratio, also of many rounds`() {
         val random = Random(7)

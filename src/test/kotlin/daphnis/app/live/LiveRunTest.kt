@@ -10,6 +10,7 @@ import daphnis.app.daphnis
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.Timeout
 import org.junit.jupiter.api.io.TempDir
@@ -100,6 +101,7 @@ class LiveRunTest {
         return if (answer.statusCode() == 200) listOf(DecodedState(answer.body())) else emptyList()
     }
 
+    @Tag("thorough")
     @Test
     fun `a page that draws states gets them up to the last, which is that of the run, whose bits do not notice`() {
         val port = ServerSocket(0).use { it.localPort }

@@ -5,6 +5,7 @@ import org.junit.jupiter.api.AfterEach
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.Timeout
 import java.io.IOException
@@ -86,6 +87,7 @@ class LiveServerTest {
         assertEquals(200, statusOf("GET /state/8 HTTP/1.1", host, "Sec-Fetch-Site: same-origin"))
     }
 
+    @Tag("thorough")
     @Test
     fun `who does not read a state is dropped, and until then keeps it from a few at most`() {
         val large = ByteArray(32_000_000)
@@ -167,6 +169,7 @@ class LiveServerTest {
         second.join()
     }
 
+    @Tag("thorough")
     @Test
     fun `a page that has been sent is waited for until it looks`() {
         val patient = Feed(longestArrival = 1.hours)
@@ -184,6 +187,7 @@ class LiveServerTest {
         }
     }
 
+    @Tag("thorough")
     @Test
     fun `a page that has been sent and does not come is waited for no longer than two seconds`() {
         val begin = System.nanoTime()
@@ -193,6 +197,7 @@ class LiveServerTest {
         assertTrue(!feed.isWatched)
     }
 
+    @Tag("thorough")
     @Test
     fun `who does not finish a request keeps nobody out for long`() {
         val silent = List(150) {
@@ -233,6 +238,7 @@ class LiveServerTest {
         assertTrue(!feed.isWatched)
     }
 
+    @Tag("thorough")
     @Test
     fun `a server that is closed at once has written the end of what is read`() {
         repeat(200) { k ->

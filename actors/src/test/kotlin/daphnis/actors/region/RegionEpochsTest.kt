@@ -16,6 +16,7 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.Timeout
 import java.util.concurrent.ConcurrentHashMap
@@ -78,6 +79,7 @@ class RegionEpochsTest {
         assertEquals(List(2) { emptySet<Phase>() }, phasesOfCrowd(17, isShared = false))
     }
 
+    @Tag("thorough")
     @Test
     fun `regions have shares of what is measured of a dense gas of more spheres`() {
         assertEquals(List(2) { setOf(Phase.SHARE) }, phasesOfCrowd(22, isShared = true))

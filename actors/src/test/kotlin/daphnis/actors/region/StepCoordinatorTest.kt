@@ -14,6 +14,7 @@ import daphnis.core.surface.ConstantRestitution
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 
 /**
@@ -27,6 +28,7 @@ class StepCoordinatorTest {
                 duration
         }
 
+    @Tag("thorough")
     @Test
     fun `any order of deliveries gives the serial engine's bits, with one message per mailbox and disjoint locks`() {
         var grants = 0

@@ -16,6 +16,7 @@ import daphnis.core.run.Run
 import daphnis.core.scenario.BuiltIn
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import java.nio.file.Path
@@ -94,6 +95,7 @@ class FluidStructureTest {
         }
     }
 
+    @Tag("thorough")
     @Test
     fun `contact values of a mixture are those of Boublik and Mansoori, of discs those of Jenkins and Mancini`() {
         val radii = listOf(0.5, 0.3)

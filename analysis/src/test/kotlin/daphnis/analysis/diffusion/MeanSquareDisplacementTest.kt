@@ -109,6 +109,7 @@ class MeanSquareDisplacementTest {
         }
     }
 
+    @Tag("thorough")
     @Test
     fun `two windows of one run of walkers in groups agree within their errors`() {
         val away = List(100) { run ->

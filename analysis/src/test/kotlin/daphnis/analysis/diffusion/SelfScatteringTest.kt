@@ -11,6 +11,7 @@ import daphnis.core.scenario.BuiltIn
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import java.nio.file.Path
@@ -135,6 +136,7 @@ class SelfScatteringTest {
         return SelfScattering(trajectories, 2.0)
     }
 
+    @Tag("thorough")
     @Test
     fun `of a gas errors cover the mean over seeds, and displacements become Gaussian`() {
         val all = List(if (System.getProperty("daphnis.physics") == "full") 60 else 2) { gas(it + 1) }

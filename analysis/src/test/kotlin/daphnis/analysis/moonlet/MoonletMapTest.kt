@@ -8,6 +8,7 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNull
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import java.util.Random
 import kotlin.math.abs
@@ -62,6 +63,7 @@ class MoonletMapTest {
         }
     }
 
+    @Tag("thorough")
     @Test
     fun `gaps are found where they were made, and errors cover that in 60 to 80 of 100 maps`() {
         val found = List(60) { map(it.toLong(), 16).gaps(5.0, 45.0, 8.0)!! }

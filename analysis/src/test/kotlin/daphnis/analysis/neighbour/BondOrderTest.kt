@@ -151,7 +151,8 @@ class BondOrderTest {
             }
         }
         assertTrue(BondOrder(state, lists).q6[195].isNaN())
-        assertThrows(IllegalArgumentException::class.java) { NeighbourLists.of(state, Neighbours.Within(97.0)) }
+        val two = uniform(2, state.boundary)
+        assertThrows(IllegalArgumentException::class.java) { NeighbourLists.of(two, Neighbours.Within(97.0)) }
         assertThrows(IllegalArgumentException::class.java) { Neighbours.Within(0.0) }
         assertThrows(IllegalArgumentException::class.java) { HexaticOrder(state, lists) }
     }

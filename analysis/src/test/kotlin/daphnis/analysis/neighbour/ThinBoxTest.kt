@@ -14,6 +14,7 @@ import daphnis.core.space.Images
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import kotlin.math.abs
 import kotlin.math.hypot
@@ -60,6 +61,7 @@ class ThinBoxTest {
         Periodic(Box.flat(20.0, 0.7)),
     )
 
+    @Tag("thorough")
     @Test
     fun `neighbours by solid angle and within a distance are those of a search through all images`() {
         for ((k, boundary) in boundaries().withIndex()) {

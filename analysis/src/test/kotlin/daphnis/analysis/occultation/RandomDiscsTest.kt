@@ -68,6 +68,7 @@ class RandomDiscsTest {
         assertThrows(IllegalArgumentException::class.java) { RandomDiscs(radii, 0.0, line) }
     }
 
+    @Tag("thorough")
     @Test
     fun `scans of random spheres have this variance, within their error in two of three realisations`() {
         val sheet = HillSheet(Box.centred(36.0, 48.0, 4.0), 1.0)

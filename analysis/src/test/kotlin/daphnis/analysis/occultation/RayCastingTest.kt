@@ -15,6 +15,7 @@ import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import kotlin.math.PI
 import kotlin.math.exp
@@ -42,6 +43,7 @@ class RayCastingTest {
         time,
     )
 
+    @Tag("thorough")
     @Test
     fun `a shadow a hundred times as long as the box leaves what lies beside it`() {
         // At 0.1° along the orbit: a strip as wide as the sphere, all along y.

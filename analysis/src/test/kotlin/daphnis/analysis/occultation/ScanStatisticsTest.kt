@@ -68,6 +68,7 @@ class ScanStatisticsTest {
         assertEquals(expected, all.map { it.autocorrelationLength().mean }.average(), 0.02 * expected)
     }
 
+    @Tag("thorough")
     @Test
     fun `noise of photons is taken out of the variance and of the correlation, and not of what is seen`() {
         val all = List(REALISATIONS) { seed ->

@@ -62,6 +62,7 @@ class ScanTest {
         }
     }
 
+    @Tag("thorough")
     @Test
     fun `light curves are those of a plain search along each ray, along any path and however images stand`() {
         val random = SeededRandom(3)

@@ -36,6 +36,7 @@ class TransmissionsTest {
         assertTrue(abs(seen[0] - seen[1]) > 0.005 && abs(seen[0] - seen[3]) > 0.1) { seen.toList().toString() }
     }
 
+    @Tag("thorough")
     @Test
     fun `a dilute random slab lets exp(-τ over sin B) through, within its error in two of three realisations`() {
         val box = Box.centred(50.0, 50.0, 20.0)

@@ -60,6 +60,7 @@ class WakeFitTest {
     private fun share(truth: Double, seen: List<BlockAverage>) =
         seen.count { abs(it.mean - truth) <= it.error } / seen.size.toDouble()
 
+    @Tag("thorough")
     @Test
     fun `the parameters of slabs of bars are found, each within its error in two of three realisations`() {
         for (section in WakeSection.entries) {
@@ -151,6 +152,7 @@ class WakeFitTest {
         }
     }
 
+    @Tag("thorough")
     @Test
     fun `without bars none are seen, and lines that cannot tell give no fit`() {
         val random = SeededRandom(2)

@@ -10,6 +10,7 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNull
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import kotlin.math.abs
 import kotlin.math.sqrt
@@ -55,6 +56,7 @@ class DispersionBySizeTest {
 
     private fun column(name: String) = DispersionBySize.COLUMNS.indexOf(name)
 
+    @Tag("thorough")
     @Test
     fun `each class has the dispersion it was made with, also of two spheres with two fifths of the mass`() {
         // Masses 1, 8 and 64·…: two of radius 5 carry 250 of 650.
@@ -87,6 +89,7 @@ class DispersionBySizeTest {
         }
     }
 
+    @Tag("thorough")
     @Test
     fun `dispersion and height of a class of few tell the truth within one error in 60 to 75 percent`() {
         for (few in listOf(2, 3, 6)) cover(few)

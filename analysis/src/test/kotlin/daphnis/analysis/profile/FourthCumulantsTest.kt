@@ -65,6 +65,7 @@ class FourthCumulantsTest {
         return FourthCumulants.COLUMNS.indices.map { c -> SampleMean.of(DoubleArray(runs) { all[it][c] }) }
     }
 
+    @Tag("thorough")
     @Test
     fun `a Maxwellian has no cumulants, however few particles, of whatever sizes, and in a bent flow`() {
         val cases = listOf<(SeededRandom) -> State>(

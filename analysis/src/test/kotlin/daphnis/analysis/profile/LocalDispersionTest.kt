@@ -65,7 +65,7 @@ class LocalDispersionTest {
 
     @Test
     fun `the reach of pairs does not matter where it is short of a third of the wave`() {
-        val state = wave(20_000, HillSheet(box, 0.7), 3)
+        val state = wave(6000, HillSheet(box, 0.7), 3)
         for (reach in listOf(3.0, 6.0, 12.0)) {
             assertEquals(1.0, LocalDispersion(reach).of(state)[c2] / 0.75, 0.06) { "reach $reach" }
         }
@@ -163,6 +163,7 @@ class LocalDispersionTest {
         (0 until size).sumOf { mass[it] * 0.75 / (radius[it] * radius[it]) } / mass.sum()
     }
 
+    @Tag("thorough")
     @Test
     fun `in flat layers of several sizes each sphere counts by its mass, whatever lies over it`() {
         val random = SeededRandom(8)

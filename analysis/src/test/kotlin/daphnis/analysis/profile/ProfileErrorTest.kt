@@ -13,6 +13,7 @@ import daphnis.core.hill.HillSheet
 import daphnis.core.population.Population
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import kotlin.math.PI
 import kotlin.math.abs
@@ -28,6 +29,7 @@ class ProfileErrorTest {
         measure.add(uniform(count, boundary, seed = seed * 1000 + it, radius = 0.05) { r -> 0.5 * r.nextGaussian() })
     }
 
+    @Tag("thorough")
     @Test
     fun `profiles tell the truth within one error in 60 to 75 percent, from one to 50 particles a bin`() {
         for (perBin in listOf(1.0, 1.5, 4.0, 50.0)) {

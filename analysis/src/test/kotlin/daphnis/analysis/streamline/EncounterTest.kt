@@ -6,6 +6,7 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import kotlin.math.PI
 import kotlin.math.abs
@@ -41,6 +42,7 @@ class EncounterTest {
         }
     }
 
+    @Tag("thorough")
     @Test
     fun `a moon on an epicycle leaves what a particle integrated through its passage has`() {
         for (distance in listOf(1.0, -1.0)) {

@@ -58,6 +58,7 @@ class StreamlineErrorTest {
         return state
     }
 
+    @Tag("thorough")
     @Test
     fun `a uniform ring has its optical depth in both orders, at 4 to 100 particles a group`() {
         for (boundary in listOf(HillSheet(box, omega), HillSheet(box, omega, radiallyOpen = true))) {

@@ -5,6 +5,7 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNotNull
 import org.junit.jupiter.api.Assertions.assertNull
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import java.nio.file.Files
@@ -78,6 +79,7 @@ class HelfandCoefficientsTest {
         }
     }
 
+    @Tag("thorough")
     @Test
     fun `a mean pressure from few lags leaves the bulk viscosity as it is`() {
         val random = SeededRandom(3)

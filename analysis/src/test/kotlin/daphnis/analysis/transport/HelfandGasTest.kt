@@ -6,6 +6,7 @@ import daphnis.core.run.Run
 import daphnis.core.scenario.BuiltIn
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import java.nio.file.Path
@@ -32,6 +33,7 @@ class HelfandGasTest {
         assertNear("λ", EnskogGas.conductivity(1.0, 1.0, FILLING, 1.0), found.map { it.heat }, 0.06, 0.2)
     }
 
+    @Tag("thorough")
     @Test
     fun `dense gases are more viscous than Enskog says, by as much as others saw`() {
         // 1.12 and 1.15 of Enskog's: the sums of another program.

@@ -8,6 +8,7 @@ import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertNull
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import java.nio.file.Files
@@ -99,6 +100,7 @@ class TransportTest {
         return TransportTable.read(file(*lines.toTypedArray()))
     }
 
+    @Tag("thorough")
     @Test
     fun `quantities whose parts move together cover the truth in 60 to 75 percent`() {
         val truth = listOf<Triple<String, Double, (Transport) -> BlockAverage>>(
@@ -174,6 +176,7 @@ class TransportTest {
         return TransportTable.read(file().also { Files.write(it, listOf("$header,wall_work") + rows) })
     }
 
+    @Tag("thorough")
     @Test
     fun `what walls give over what is dissipated is known as well as the energy is steady`() {
         val random = SeededRandom(32)

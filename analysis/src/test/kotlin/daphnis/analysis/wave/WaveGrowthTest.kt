@@ -5,6 +5,7 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertNull
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import kotlin.math.PI
 import kotlin.math.abs
@@ -37,6 +38,7 @@ class WaveGrowthTest {
         }
     }
 
+    @Tag("thorough")
     @Test
     fun `errors of rate and frequency cover what was put in, under noise of particles and under driving`() {
         val all = ArrayList<Coverage>()

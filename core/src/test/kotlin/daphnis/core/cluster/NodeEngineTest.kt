@@ -19,6 +19,7 @@ import daphnis.core.simulationOf
 import daphnis.core.surface.ConstantRestitution
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.Timeout
 import java.util.Random
@@ -70,6 +71,7 @@ class NodeEngineTest {
         assertTrue(replays < draws / 4) { "$replays of $draws with all spheres everywhere" }
     }
 
+    @Tag("thorough")
     @Test
     fun `nodes that do not compare paths go wrong, so the draws test the comparison`() {
         var wrong = 0

@@ -8,6 +8,7 @@ import daphnis.core.scenario.ScenarioJson
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.Timeout
 import org.junit.jupiter.api.io.TempDir
@@ -135,6 +136,7 @@ class NodeFaultsTest {
         assertEquals(2, fleet.crews)
     }
 
+    @Tag("thorough")
     @Test
     fun `nodes that end whenever they begin end the run with the reason`() {
         val fleet = ThreadFleet(2)

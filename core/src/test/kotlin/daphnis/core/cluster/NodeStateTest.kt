@@ -8,6 +8,7 @@ import daphnis.core.run.Run
 import daphnis.core.scenario.ScenarioJson
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.Timeout
 import org.junit.jupiter.api.io.TempDir
@@ -56,6 +57,7 @@ class NodeStateTest {
         stateOf(this)
     }
 
+    @Tag("thorough")
     @Test
     fun `boxes crossed and times of collision are kept through losses and copies`() {
         val settings = listOf(GUARD, "velocities.sigma=10")

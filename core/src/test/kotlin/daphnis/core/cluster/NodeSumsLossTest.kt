@@ -9,6 +9,7 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.BeforeEach
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.Timeout
 import org.junit.jupiter.api.io.TempDir
@@ -69,6 +70,7 @@ class NodeSumsLossTest {
         }
     }
 
+    @Tag("thorough")
     @Test
     fun `a node that dies at any message of a round changes no bit and no line`() {
         val random = Random(11)

@@ -9,6 +9,7 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.Timeout
 import org.junit.jupiter.api.io.TempDir
@@ -44,6 +45,7 @@ class NodesAgreeTest {
         }
     }
 
+    @Tag("thorough")
     @Test
     fun `moonlets and their gravity, which every node feels`() {
         val one = """{"radius": 40, "density": 200, "position": [0, 0, 0]}"""
@@ -75,6 +77,7 @@ class NodesAgreeTest {
         """timeStep={"type":"fixed","dt":0.1}""",
     )
 
+    @Tag("thorough")
     @Test
     fun `the wake of a satellite`() = assertSame("satellite-wake", 2, "untilOrbits=0.2")
 
@@ -90,6 +93,7 @@ class NodesAgreeTest {
     @Test
     fun `discs, whose temperature is that of two components`() = assertSame("hard-discs", 3, "output={}", "until=3")
 
+    @Tag("thorough")
     @Test
     fun `a mixture, whose unlike spheres are rougher and stickier than like ones`() = assertSame(
         "mixture",
@@ -99,6 +103,7 @@ class NodesAgreeTest {
             "roughness": {"type": "constant", "coefficient": 0.5}}]""",
     )
 
+    @Tag("thorough")
     @Test
     fun `a dozen nodes in a row say little to each other, and the same comes out`() {
         val nodes = 12

@@ -26,6 +26,7 @@ import daphnis.core.space.Images
 import daphnis.core.surface.ConstantRestitution
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import kotlin.math.abs
 import kotlin.math.sqrt
@@ -131,6 +132,7 @@ class InelasticContactTest {
         }
     }
 
+    @Tag("thorough")
     @Test
     fun `engines agree on a gas of plastic spheres`() {
         val boundary = Periodic(Box.centred(9.0, 9.0, 9.0))

@@ -21,6 +21,7 @@ import daphnis.core.wall.WallContact
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import java.math.BigDecimal
 import kotlin.math.abs
@@ -87,6 +88,7 @@ class RoughImpactTest {
         }
     }
 
+    @Tag("thorough")
     @Test
     fun `ten thousand impacts, sticking and sliding, are those of sixty digits`() {
         var sliding = 0

@@ -19,6 +19,7 @@ import daphnis.core.surface.Roughness
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 
 /** Simulations of rough spheres. */
@@ -65,6 +66,7 @@ class RoughSimulationTest {
         assertEquals(listOf(1.0, 1.0), simulation.population.wz.toList())
     }
 
+    @Tag("thorough")
     @Test
     fun `perfectly rough spheres keep their energy over half a million collisions, and share it with their spins`() {
         val boundary = Periodic(Box.centred(10.0, 10.0, 10.0))

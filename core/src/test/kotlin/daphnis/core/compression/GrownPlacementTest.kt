@@ -15,6 +15,7 @@ import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 
 class GrownPlacementTest {
@@ -86,6 +87,7 @@ class GrownPlacementTest {
         assertTrue(filling!!.groupValues[1].toDouble() in 0.55..0.7) { told }
     }
 
+    @Tag("thorough")
     @Test
     fun `spheres grow to a pressure, near the filling factor of equilibrium, with any threads`() {
         fun ofSpheres(x: Double) = (1 + x + x * x - x * x * x) / ((1 - x) * (1 - x) * (1 - x))

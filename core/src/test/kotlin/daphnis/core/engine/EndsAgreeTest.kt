@@ -22,6 +22,7 @@ import daphnis.core.surface.ConstantRestitution
 import daphnis.core.surface.Restitution
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.Timeout
 
@@ -119,6 +120,7 @@ class EndsAgreeTest {
         }
     }
 
+    @Tag("thorough")
     @Test
     fun `very many honest collisions before one that was taken early are no collapse`() {
         val light = common(
@@ -139,6 +141,7 @@ class EndsAgreeTest {
         assertTrue(wall.endsWith(" 0 150002")) { wall }
     }
 
+    @Tag("thorough")
     @Test
     fun `sixty heaps that come to rest at one moment are no collapse`() {
         val end =
@@ -163,6 +166,7 @@ class EndsAgreeTest {
         }
     }
 
+    @Tag("thorough")
     @Test
     fun `spheres that touch in a full box collapse in bounded time`() {
         val edge = 8

@@ -10,12 +10,14 @@ import daphnis.core.population.stateDigest
 import daphnis.core.simulationOf
 import daphnis.core.surface.ConstantRestitution
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 
 /** The engines of this module, and the serial one itself against every pair asked. */
 class EnginesAgreeTest : EnginesAgreeContract(CoreEngines) {
     override val oracle = BruteForceEngine()
 
+    @Tag("thorough")
     @Test
     fun `islands of very many spheres give the digest of the serial engine over a hundred steps, either way`() {
         val random = SeededRandom(11)

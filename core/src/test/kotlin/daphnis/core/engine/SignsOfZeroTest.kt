@@ -13,6 +13,7 @@ import daphnis.core.population.Population
 import daphnis.core.population.stateDigest
 import daphnis.core.simulationOf
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.Timeout
 
@@ -30,6 +31,7 @@ class SignsOfZeroTest {
         return Population(x, y, zeros(), gauss(), gauss(), zeros(), DoubleArray(n) { 1.0 }, DoubleArray(n) { 1.0 })
     }
 
+    @Tag("thorough")
     @Test
     fun `a flat layer with zeros of both signs has one digest and one record from every engine and in every order`() {
         val box = Box(-1.25, -1.25, -10.0, 25.0, 25.0, 10.0)

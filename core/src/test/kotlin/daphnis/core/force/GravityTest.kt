@@ -29,6 +29,7 @@ import daphnis.core.space.Images
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import kotlin.math.sqrt
 
@@ -244,6 +245,7 @@ class GravityTest {
         )
     }
 
+    @Tag("thorough")
     @Test
     fun `a uniform sheet pulls no particle along itself, anywhere in the patch, however its images have slid`() {
         val lattice = uniformSheet()

@@ -25,6 +25,7 @@ import daphnis.core.space.Images
 import daphnis.core.surface.ConstantRestitution
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import kotlin.math.abs
 import kotlin.math.sqrt
@@ -90,6 +91,7 @@ class PotentialEnergyTest {
         assertTrue(Kick { _, _, _ -> }.potentialEnergy(p, Open, 0.0).isNaN()) { "a force that does not say has none" }
     }
 
+    @Tag("thorough")
     @Test
     fun `self-gravity has the direct sum over images that slide, in any order of the arrays`() {
         val sheet = HillSheet(box, 1.0)

@@ -8,6 +8,7 @@ import daphnis.core.hill.HillSheet
 import daphnis.core.orbit.OrbitalFrequencies
 import daphnis.core.population.Population
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import kotlin.math.PI
 import kotlin.math.cos
@@ -85,6 +86,7 @@ class WarmSheetTest {
         return PI * (zeros.size - 1) / (zeros.last() - zeros.first())
     }
 
+    @Tag("thorough")
     @Test
     fun `waves of a warm sheet have the frequency that Toomre's reduction factor gives`() {
         for ((mode, strength, chi) in listOf(Triple(3, 0.6, 0.5), Triple(5, 0.9, 0.3), Triple(2, 0.5, 1.0))) {

@@ -5,6 +5,7 @@ import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import kotlin.math.pow
 
@@ -56,6 +57,7 @@ class RandomPlacementTest {
         }
     }
 
+    @Tag("thorough")
     @Test
     fun `blocks on any number of threads come to the state of one try after the other`() {
         var refused = 0
@@ -87,6 +89,7 @@ class RandomPlacementTest {
         }
     }
 
+    @Tag("thorough")
     @Test
     fun `one to eight threads come to the same bits, and to the same refusal, where hardly a place is free`() {
         val box = Box.centred(10.0, 10.0, 10.0)
@@ -121,6 +124,7 @@ class RandomPlacementTest {
         }
     }
 
+    @Tag("thorough")
     @Test
     fun `most places of a block are judged before their turn, between walls and with sizes too`() {
         val box = Box.centred(60.0, 60.0, 8.0)

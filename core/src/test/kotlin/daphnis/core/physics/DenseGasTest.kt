@@ -33,6 +33,7 @@ class DenseGasTest {
         assertPhysics("D, nσ³ = 0.5, N = 2048", 0.25152, seen.average { it.diffusion }, if (fullPhysics) 0.01 else 0.03)
     }
 
+    @Tag("thorough")
     @Test
     fun `the fluid near freezing has its pressure`() {
         val seen = runs(0.9, if (fullPhysics) 4 else 1, if (fullPhysics) 6_000_000 else 300_000)
@@ -44,6 +45,7 @@ class DenseGasTest {
         )
     }
 
+    @Tag("thorough")
     @Test
     fun `the crystal has its pressure`() {
         val seen = runs(0.5433 * 6 / Math.PI, if (fullPhysics) 2 else 1, if (fullPhysics) 4_000_000 else 200_000)
@@ -54,6 +56,7 @@ class DenseGasTest {
      * Speedy 1987 (Mol. Phys. 62, 509) fits D = 3/(8n √π) (1 − n/1.09) (1 + n² (0.4 − 0.83 n²)), n = nσ³, to systems of
      * some hundred spheres. In the limit of many D is larger by 5, 12 and 13 %, see `FiniteCubeTest`.
      */
+    @Tag("thorough")
     @Test
     fun `a thin, a dense and a denser fluid of 500 spheres have their diffusion`() {
         for ((filling, speedy) in listOf(0.157 to 0.5265, 0.4 to 0.0788, 0.419 to 0.0644)) {

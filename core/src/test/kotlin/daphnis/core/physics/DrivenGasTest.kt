@@ -65,6 +65,7 @@ class DrivenGasTest {
         }
     }
 
+    @Tag("thorough")
     @Test
     fun `the temperature goes with the intensity to the power two thirds`() {
         val count = if (fullPhysics) 20_000 else 3_000
@@ -77,6 +78,7 @@ class DrivenGasTest {
         assertPhysics("T at 8 times the intensity over T", 4.0, hot / cold, if (fullPhysics) 0.01 else 0.03)
     }
 
+    @Tag("thorough")
     @Test
     fun `elastic spheres in a bath have its temperature, whatever their mass`() {
         val box = cube(3_000, 0.2)

@@ -57,6 +57,7 @@ class ElasticGasTest {
         fun meanSquare() = way.sumOf { a -> a.sumOf { it * it } } / way[0].size
     }
 
+    @Tag("thorough")
     @Test
     fun `collision rate, pressure, impact speeds and diffusion of the elastic gas`() {
         for (s in states) {
@@ -119,6 +120,7 @@ class ElasticGasTest {
 
     private var middleTime = 0.0
 
+    @Tag("thorough")
     @Test
     fun `a uniform velocity cube becomes a Maxwellian`() {
         val count = 100_000

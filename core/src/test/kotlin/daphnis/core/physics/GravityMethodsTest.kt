@@ -25,6 +25,7 @@ import kotlin.math.sqrt
  * each took on one thread, in turns.
  */
 @Tag("physics")
+@Tag("thorough")
 class GravityMethodsTest {
     private val omega = 0.00013143527
     private val orbit = 2 * PI / omega

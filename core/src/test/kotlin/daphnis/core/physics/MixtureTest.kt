@@ -44,6 +44,7 @@ class MixtureTest {
         assertPhysics(what, target, mean, bound)
     }
 
+    @Tag("thorough")
     @Test
     fun `heavy spheres of a mixture that cools keep more energy than light ones`() {
         val seeds = if (fullPhysics) 1L..16L else 1L..4L

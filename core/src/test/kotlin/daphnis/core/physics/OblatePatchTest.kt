@@ -15,6 +15,7 @@ import kotlin.math.PI
  * the viscosity, is what collisions take. With the shear of Kepler the two would differ by 7 %.
  */
 @Tag("physics")
+@Tag("thorough")
 class OblatePatchTest {
     @Test
     fun `shear work is dissipation`() {

@@ -13,6 +13,7 @@ import kotlin.math.sqrt
  * v_z²⟩/2)^½.
  */
 @Tag("physics")
+@Tag("thorough")
 class PaperSystemsTest {
     @Test
     fun `collisions and speeds of the paper's systems at the start and after 30 time units`() {

@@ -10,6 +10,9 @@ import java.util.Locale
 /** Whether the long forms run: `./check --physics`. */
 val fullPhysics: Boolean = System.getProperty("daphnis.physics") == "full"
 
+/** Whether only the shortest forms run: `./check` alone. */
+val quickPhysics: Boolean = System.getProperty("daphnis.physics") == "quick"
+
 /** Holds [measured] against [target] and writes a row of the table that `./check` prints, whatever comes out. */
 fun assertPhysics(what: String, target: Double, measured: Double, bound: Double, relative: Boolean = true) {
     val deviation = if (relative) Math.abs(measured / target - 1) else Math.abs(measured - target)

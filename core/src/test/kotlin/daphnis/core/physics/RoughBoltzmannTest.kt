@@ -26,6 +26,7 @@ class RoughBoltzmannTest {
         }
     }
 
+    @Tag("thorough")
     @Test
     fun `ratios of energies of rough gases that are driven`() {
         for (target in RoughBoltzmann.DRIVEN) {

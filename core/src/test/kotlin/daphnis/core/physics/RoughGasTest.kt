@@ -48,6 +48,7 @@ class RoughGasTest {
         for (column in listOf(p.vx, p.vy, p.vz, p.wx, p.wy, p.wz)) for (k in column.indices) column[k] *= factor
     }
 
+    @Tag("thorough")
     @Test
     fun `a dilute rough gas that cools keeps its ratio of temperatures`() {
         val count = if (fullPhysics) 8000 else 4000
@@ -117,6 +118,7 @@ class RoughGasTest {
         }
     }
 
+    @Tag("thorough")
     @Test
     fun `perfectly rough elastic spheres keep their energy and share it equally`() {
         val simulation = simulation(2000, 0.1, 1, RoughBoltzmann.Target(1.0, 1.0, 0.2))

@@ -24,6 +24,7 @@ import kotlin.math.sqrt
 class WakeViscosityTest {
     private class Seen(val ratio: Double, val balance: Double)
 
+    @Tag("thorough")
     @Test
     fun `viscosity of wakes`() {
         if (!fullPhysics) {

@@ -75,6 +75,7 @@ class GranularTemperatureTest {
         }
     }
 
+    @Tag("thorough")
     @Test
     fun `the moments of a Maxwellian have no bias at 2, 10, 100 and 1000 spheres, at rest, drifting and in shear`() {
         for (count in listOf(2, 10, 100, 1000)) {

@@ -10,6 +10,7 @@ import daphnis.core.parallel.RangeLoop
 import daphnis.core.permuted
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import java.lang.management.ManagementFactory
 import kotlin.math.sqrt
@@ -40,6 +41,7 @@ class PopulationSumsTest {
             List(3) { sums.momentum(it) } + sums.moments.asList() + sums.kinetic.asList() + sums.mean.asList()
     }
 
+    @Tag("thorough")
     @Test
     fun `every last digit is the same on 1 to 8 threads, in any order of the arrays, and with a reused object`() {
         for (id in listOf<(Int) -> Int>({ it }, { 2 * it }, { 3 * it + 1_000 })) {

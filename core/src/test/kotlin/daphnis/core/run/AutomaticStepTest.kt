@@ -15,6 +15,7 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNull
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import java.nio.file.Files
@@ -96,6 +97,7 @@ class AutomaticStepTest {
         }
     }
 
+    @Tag("thorough")
     @Test
     fun `a run that is broken off anywhere goes on to the same files`() {
         for (settings in listOf(emptyArray(), sheared)) {

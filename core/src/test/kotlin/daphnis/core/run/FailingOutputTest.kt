@@ -16,6 +16,7 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertSame
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import java.io.IOException
@@ -136,6 +137,7 @@ class FailingOutputTest {
         }
     }
 
+    @Tag("thorough")
     @Test
     fun `when it cannot write, that is said as of other files, also from Java`() {
         val io = IOException("no room")

@@ -5,6 +5,7 @@ import daphnis.core.scenario.BuiltIn
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import java.io.IOException
@@ -36,6 +37,7 @@ class LinksTest {
         }
     }
 
+    @Tag("thorough")
     @Test
     fun `so it is where a run is resumed, also in its subdirectories, and where there is no target`() {
         val directory = home.resolve("a")
@@ -106,6 +108,7 @@ class LinksTest {
         }
     }
 
+    @Tag("thorough")
     @Test
     fun `directories may be links of one's own`() {
         val elsewhere = Files.createDirectories(home.resolve("elsewhere"))

@@ -5,6 +5,7 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import java.nio.file.Files
@@ -97,6 +98,7 @@ class NewRunTest {
         assertFalse(Files.exists(home.resolve("none")))
     }
 
+    @Tag("thorough")
     @Test
     fun `a start with force that is killed between any two operations leaves the old run or the new start`() {
         val old = startIn(home.resolve("old"), tableScenario("seed=8")).toStep(Long.MAX_VALUE).stateDigest

@@ -14,6 +14,7 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import java.nio.file.Files
@@ -153,6 +154,7 @@ class PeriodicOutputsTest {
         }
     }
 
+    @Tag("thorough")
     @Test
     fun `a resume may write rows and states more or less often, and log, transport and modes neither begin nor end`() {
         for (output in all) {

@@ -18,6 +18,7 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import java.nio.file.Files
@@ -125,6 +126,7 @@ class ProgramTest {
         }
     }
 
+    @Tag("thorough")
     @Test
     fun `killed between two operations on files, a program goes on to the same files`() {
         // Every third: ResumeTest has them all, with a scenario.

@@ -39,6 +39,7 @@ class ResumeTest {
         return message
     }
 
+    @Tag("thorough")
     @Test
     fun `killed between any two operations on files, a run goes on to the same files`() {
         var n = 0
@@ -90,6 +91,7 @@ class ResumeTest {
         }
     }
 
+    @Tag("thorough")
     @Test
     fun `a table that is shorter or changed before both checkpoints is refused by name, and accepted on request`() {
         val damages = listOf<Pair<String, (Path) -> Unit>>(
@@ -192,6 +194,7 @@ class ResumeTest {
         assertEquals(14L, Summary.read(RunDirectory(longer).summary).steps)
     }
 
+    @Tag("thorough")
     @Test
     fun `a resume to another end is the run of that end, wherever it is killed`() {
         val made = "made for this; changed: a=1, steps=12, seed=4"

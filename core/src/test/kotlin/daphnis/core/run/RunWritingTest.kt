@@ -10,6 +10,7 @@ import org.junit.jupiter.api.Assertions.assertNotSame
 import org.junit.jupiter.api.Assertions.assertSame
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.Timeout
 import org.junit.jupiter.api.io.TempDir
@@ -85,6 +86,7 @@ class RunWritingTest {
         return run.use { assertThrows(RunException::class.java) { it.execute() } }
     }
 
+    @Tag("thorough")
     @Test
     fun `a disk that fails at any operation ends the run with the same words, and the run can go on`() {
         val whole = Disk(direct = true).also { disk -> start(home.resolve("whole"), disk).use { it.execute() } }

@@ -7,6 +7,7 @@ import daphnis.core.scenario.ScenarioJson
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import java.nio.file.Files
@@ -50,6 +51,7 @@ class StartTimeTest {
         assertEquals(2.0, snapshot.shearOffset)
     }
 
+    @Tag("thorough")
     @Test
     fun `interrupted and resumed it ends in the same bits, also when the time is no round number`() {
         // Found by trying: an origin that is counted back from the checkpoint is an ulp off here.

@@ -15,10 +15,12 @@ import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import kotlin.math.abs
 
 class RowBoundsTest {
+    @Tag("thorough")
     @Test
     fun `close bounds name everybody who is met on straight ways, and after a third of them has changed course`() {
         var met = 0

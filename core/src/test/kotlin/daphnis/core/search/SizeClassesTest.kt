@@ -23,6 +23,7 @@ import daphnis.core.population.stateDigest
 import daphnis.core.surface.ConstantRestitution
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 
 class SizeClassesTest {
@@ -62,6 +63,7 @@ class SizeClassesTest {
         )
     }
 
+    @Tag("thorough")
     @Test
     fun `a search by size finds what the grid and a check of every pair find, around a sphere 100 times as large`() {
         var collisions = 0L

@@ -30,6 +30,7 @@ import daphnis.core.surface.ConstantRestitution
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 
 /** The contract of [Candidates]: the fast ones find what the slow ones find, over all boundaries, images and sizes. */
@@ -135,6 +136,7 @@ class CandidatesTest {
         return fast.events.size
     }
 
+    @Tag("thorough")
     @Test
     fun `at the start each potential collision is found once, at the same time to the last bit`() {
         var events = 0
@@ -154,6 +156,7 @@ class CandidatesTest {
         assertTrue(parts > 15) { "only $parts grids have cells over a part of the box" }
     }
 
+    @Tag("thorough")
     @Test
     fun `around a sphere that has just collided the same is found, whoever has collided before`() {
         var events = 0
@@ -205,6 +208,7 @@ class CandidatesTest {
         if (lower == 0) sink.add(time, 0, higher, image) else sink.add(time, 0, lower, Images.negated(image))
     }
 
+    @Tag("thorough")
     @Test
     fun `a view shows all who can be hit, also those ahead in time, until the viewer wants no more`() {
         var seen = 0

@@ -3,6 +3,7 @@ package daphnis.core.engine
 import org.junit.jupiter.api.Assertions.assertTimeoutPreemptively
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.DynamicTest.dynamicTest
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.TestFactory
 import java.time.Duration
 import java.util.concurrent.CancellationException
@@ -48,6 +49,7 @@ abstract class FailingStepsContract(private val tested: TestedEngines) {
         assertTrue(steps.places.containsAll(expected)) { "thrown at ${steps.places} only" }
     }
 
+    @Tag("thorough")
     @TestFactory
     fun `so does whatever else can be thrown`() = each { _, _, steps ->
         for ((k, kind) in kinds.withIndex()) {
@@ -60,6 +62,6 @@ abstract class FailingStepsContract(private val tested: TestedEngines) {
     companion object {
         /** Steps without collisions. */
         const val NO_ENGINE = "no engine"
-        private val SEEDS = 11L..if (System.getProperty("daphnis.long") == "true") 40L else 12L
+        private val SEEDS = 11L..<11L + Draws.share(usual = 2, long = 30)
     }
 }

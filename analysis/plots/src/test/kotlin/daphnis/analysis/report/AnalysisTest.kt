@@ -160,6 +160,7 @@ class AnalysisTest {
         )
     }
 
+    @Tag("thorough")
     @Test
     fun `errors of a run whose sizes are drawn are said to be for its own radii`() {
         val said = "± is one standard error; numbers without it and without a mark follow from the particles " +
@@ -218,6 +219,7 @@ class AnalysisTest {
         assertEquals("not steady", row.split(',')[5]) { row }
     }
 
+    @Tag("thorough")
     @Test
     fun `a gas that cools has no error though its rows are many, and the table says why`() {
         val cooling = run("cooling-gas", "until=20", "particles.count=300", "output.transportEvery=1")
@@ -238,6 +240,7 @@ class AnalysisTest {
         assertFalse(Files.exists(path.resolve("plots/occultation.svg")))
     }
 
+    @Tag("thorough")
     @Test
     fun `a patch that is not steady has no error anywhere, neither in tables nor on the page`() {
         val particles = "{\"count\":150,\"sizes\":{\"type\":\"list\",\"radii\":[1,2]},\"density\":900}"
@@ -263,6 +266,7 @@ class AnalysisTest {
         assertTrue("velocity dispersion [r Ω]" in sizes) { sizes.takeLast(3000) }
     }
 
+    @Tag("thorough")
     @Test
     fun `a clump that flies apart in open space is analysed, though its box grows`() {
         val clump =
@@ -323,6 +327,7 @@ class AnalysisTest {
         assertFalse("opaque: no ray" in rows(2))
     }
 
+    @Tag("thorough")
     @Test
     fun `the report shows the time series of a run that wrote no transport, and where averages begin`() {
         val path =

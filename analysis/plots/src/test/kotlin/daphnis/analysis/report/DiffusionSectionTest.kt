@@ -96,6 +96,7 @@ class DiffusionSectionTest {
         }
     }
 
+    @Tag("thorough")
     @Test
     fun `a run of two sizes has its diffusion among the numbers and its sizes in a section`() {
         val path = home.resolve("two")

@@ -52,6 +52,7 @@ class ForeignReportTest {
         }
     }
 
+    @Tag("thorough")
     @Test
     fun `an export has the numbers of its run, diffusion too, in every format that has a box`() {
         val gas = listOf("particles.count=100", "box.lengths=[7,7,7]", "until=30", "output.snapshotEvery=5")
@@ -185,7 +186,7 @@ class ForeignReportTest {
             for (axis in 0..2) for (i in 0 until 200) at[axis][i] += random.nextGaussian()
             Snapshot(
                 10L * k, k.toDouble(), doubleArrayOf(10.0, 10.0, 10.0), BooleanArray(3) { true }, 0.0, id(k),
-                Array(3) { at[it].copyOf() }, arrayOf(none, none, none), DoubleArray(200) { 0.1 },
+                Array(3) { at[it].copyOf() }, arrayOf(none, none, none), DoubleArray(200) { 0.4 },
                 DoubleArray(200) { 1.0 },
             ).unwrapped().folded()
         }
@@ -198,7 +199,7 @@ class ForeignReportTest {
                 out.append("ITEM: ATOMS id x y z ix iy iz radius\n")
                 for (i in 0 until 200) {
                     val places = (0..2).joinToString(" ") { "${s.position[it][i]}" }
-                    out.append("${s.id[i]} $places ${(0..2).joinToString(" ") { "${s.image!![it][i]}" }} 0.1\n")
+                    out.append("${s.id[i]} $places ${(0..2).joinToString(" ") { "${s.image!![it][i]}" }} 0.4\n")
                 }
             }
         }
@@ -235,12 +236,13 @@ class ForeignReportTest {
             Snapshot(
                 k.toLong(), k.toDouble(), l, booleanArrayOf(true, true, !isSlab), 0.0, IntArray(n) { it },
                 Array(3) { a -> DoubleArray(n) { (random.nextDouble() - 0.5) * l[a] } }, Array(3) { DoubleArray(n) },
-                DoubleArray(n) { 0.1 }, DoubleArray(n) { 1.0 },
+                DoubleArray(n) { 0.4 }, DoubleArray(n) { 1.0 },
             )
         }
         return home.resolve(name).also { H5md.write(states, it, "test") }
     }
 
+    @Tag("thorough")
     @Test
     fun `a box that changes from frame to frame is measured in every section`() {
         val ways = mapOf<String, (Int) -> DoubleArray>(

@@ -6,6 +6,7 @@ import daphnis.core.scenario.BuiltIn
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNull
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import java.nio.file.Path
@@ -56,6 +57,7 @@ class HelfandReportTest {
         for (row in rows.values) assertNull(row.reference)
     }
 
+    @Tag("thorough")
     @Test
     fun `no other gas has any`() {
         val noise = "forces=[{\"type\":\"white-noise\",\"intensity\":0.1}]"

@@ -6,6 +6,7 @@ import daphnis.core.scenario.BuiltIn
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import java.nio.file.Files
@@ -45,6 +46,7 @@ class MaterialReportTest {
         assertTrue(">Materials</h2>" in Files.readString(home.resolve("report.html")))
     }
 
+    @Tag("thorough")
     @Test
     fun `where the others are moonlets there is nothing to compare`(@TempDir home: Path) {
         val one = listOf(

@@ -12,6 +12,7 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import java.nio.file.Files
@@ -61,6 +62,7 @@ class MoonletSectionTest {
         assertEquals(0.0, cells.drop(1).map { it.substringAfterLast(',').toDouble() }.average(), 1e-9)
     }
 
+    @Tag("thorough")
     @Test
     fun `a walk whose changes depend on those before has no diffusion, and says why`() {
         val path = analysed("short", "untilOrbits=1")
@@ -83,6 +85,7 @@ class MoonletSectionTest {
         assertTrue(bound.last().value.isNaN() && "depend on those before (correlation " in bound.last().note)
     }
 
+    @Tag("thorough")
     @Test
     fun `without bodies,csv the report says so, without bodies it is silent, and damage is one line`() {
         val path = analysed("map", "untilOrbits=3", "output.bodiesEvery=0")

@@ -10,6 +10,7 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import java.nio.file.Files
@@ -129,6 +130,7 @@ class OccultationPartsTest {
         refused("photons: is -1.0; it must be in (0,") { OccultationOptions(photons = -1.0) }
     }
 
+    @Tag("thorough")
     @Test
     fun `where nothing comes through along any line there is nothing to compare`() {
         val path = run("opaque")
@@ -143,6 +145,7 @@ class OccultationPartsTest {
         assertEquals("30.0", compared.getValue("azimuth [degrees]").single())
     }
 
+    @Tag("thorough")
     @Test
     fun `a patch that ends along x has scans along its axes only`() {
         val path = run("ringlet", "boundary.radiallyOpen=true")

@@ -23,6 +23,7 @@ class ReportNumberTest {
         return path
     }
 
+    @Tag("thorough")
     @Test
     fun `the numbers of a report are those of its table, without a file written`() {
         val ring = run("ring-patch", "untilOrbits=12", "box.lengths=[40,40,20]", "output.snapshotEvery=45")

@@ -9,6 +9,7 @@ import daphnis.core.run.Run
 import daphnis.core.scenario.BuiltIn
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import java.nio.file.Files
@@ -29,6 +30,7 @@ class RoughReportTest {
         assertEquals("not steady", row.split(',')[5])
     }
 
+    @Tag("thorough")
     @Test
     fun `spheres that spin and rest, or move together, have no ratio of temperatures`(@TempDir home: Path) {
         for ((name, speed) in listOf("rest" to 0.0, "flow" to 1.0 / 3)) {

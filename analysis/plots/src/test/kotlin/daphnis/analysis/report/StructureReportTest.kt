@@ -6,6 +6,7 @@ import daphnis.core.scenario.BuiltIn
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import java.nio.file.Files
@@ -56,6 +57,7 @@ class StructureReportTest {
         assertFalse(Files.exists(path.resolve("tables/contact-values.csv")))
     }
 
+    @Tag("thorough")
     @Test
     fun `memory that is lost from one state to the next is not drawn, and the report says what would show it`() {
         val path = report("sparse", "elastic-gas", *gas("[0.5]", "[10,10,10]", 250), "output.snapshotEvery=7")
@@ -66,6 +68,7 @@ class StructureReportTest {
         }
     }
 
+    @Tag("thorough")
     @Test
     fun `where density varies over long distances g is said not to tend to 1`() {
         // A third of a box that is full, the rest empty: all have three times the mean density around them.
@@ -86,6 +89,7 @@ class StructureReportTest {
         }
     }
 
+    @Tag("thorough")
     @Test
     fun `a mixture has partial ones and contact values`() {
         val path = report("two", "elastic-gas", *gas("[0.5,0.3]", "[6,6,6]", 200))
@@ -137,6 +141,7 @@ class StructureReportTest {
         assertTrue("structure_factor_zero" in ofDiscs)
     }
 
+    @Tag("thorough")
     @Test
     fun `a gas that cools has spectra with the critical length, and clusters`() {
         val path = report(

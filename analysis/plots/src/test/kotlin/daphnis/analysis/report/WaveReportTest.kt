@@ -8,6 +8,7 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import java.nio.file.Files
@@ -55,6 +56,7 @@ class WaveReportTest {
     private fun number(path: Path, key: String): List<String> =
         Files.readAllLines(path.resolve("tables/numbers.csv")).map { it.split(',') }.single { it[0] == key }
 
+    @Tag("thorough")
     @Test
     fun `a wave that is put in is found with its length, rate, frequency and direction`() {
         val path = run("untilOrbits=30")
@@ -119,6 +121,7 @@ class WaveReportTest {
         assertEquals(1, waves.growsLast)
     }
 
+    @Tag("thorough")
     @Test
     fun `too few rows and damage are said, and without modes there is no word of them`() {
         val seldom = run("untilOrbits=4", "output.modesEvery=60")

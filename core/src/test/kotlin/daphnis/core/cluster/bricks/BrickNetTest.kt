@@ -8,6 +8,7 @@ import daphnis.core.population.stateDigest
 import daphnis.core.populationOf
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.Timeout
 
@@ -19,6 +20,7 @@ class BrickNetTest {
         return BrickNet(case.population, case.boundary, LongBox.DT, case.slabs(4), SeededRandom(seed), trouble)
     }
 
+    @Tag("thorough")
     @Test
     fun `messages in any order, some twice and some late, lead to the step of the serial engine`() {
         var late = 0
@@ -58,6 +60,7 @@ class BrickNetTest {
         }
     }
 
+    @Tag("thorough")
     @Test
     fun `a flipped bit of a sphere in sight is noticed, even if it meets nothing`() {
         var flipped = 0

@@ -71,6 +71,7 @@ class BricksAgreeTest {
         assertTrue(replays < draws / 4) { "$replays of $draws draws left to the serial engine" }
     }
 
+    @Tag("thorough")
     @Test
     fun `bricks that do not compare paths go wrong, so the draws test the comparison`() {
         var wrong = 0

@@ -16,6 +16,7 @@ import daphnis.core.population.Population
 import daphnis.core.simulationOf
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 
 /** Work is counted, in the nanoseconds of a model: the clock is not asked. */
@@ -35,6 +36,7 @@ class EpochLimitsTest {
         }
     }
 
+    @Tag("thorough")
     @Test
     fun `where epochs are wanted in all steps, they may be more work, but not any`() {
         for (tuning in LONG) {

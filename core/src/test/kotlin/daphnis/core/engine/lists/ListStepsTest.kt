@@ -28,6 +28,7 @@ import daphnis.core.surface.Restitution
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 
 class ListStepsTest {
@@ -128,6 +129,7 @@ class ListStepsTest {
         assertEquals(16L, engine.lists.steps)
     }
 
+    @Tag("thorough")
     @Test
     fun `lists that are too short for a large sphere among small ones, or become so in mid-step, are made longer`() {
         val random = SeededRandom(4)
@@ -175,6 +177,7 @@ class ListStepsTest {
         assertEquals(0L, listed(crowd().also { it.radius[7] *= 0.1 }, BOX))
     }
 
+    @Tag("thorough")
     @Test
     fun `a long step asks on the way whether it is wanted, and is done again when it was not`() {
         val population = crowd()

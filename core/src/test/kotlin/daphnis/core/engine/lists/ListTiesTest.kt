@@ -11,10 +11,12 @@ import daphnis.core.simulationOf
 import daphnis.core.surface.ConstantRestitution
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 
 /** Where the last bit decides. */
 class ListTiesTest {
+    @Tag("thorough")
     @Test
     fun `collisions at one time come in the order of ids, whichever sphere knows of them`() {
         var tied = 0
