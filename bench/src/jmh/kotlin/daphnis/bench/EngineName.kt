@@ -1,9 +1,9 @@
 package daphnis.bench
 
 import daphnis.actors.ActorEngines
+import daphnis.core.Engines
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.SerialEngine
-import daphnis.core.engine.horizon.HorizonEngine
 import daphnis.core.engine.islands.IslandsEngine
 import daphnis.core.engine.threadpool.ThreadPoolEngine
 import daphnis.core.parallel.ExecutorHandler
@@ -19,7 +19,7 @@ import java.util.concurrent.ForkJoinPool
 /** All competitors, one parameter. Those that work on one thread only ignore the number of threads. */
 enum class EngineName(private val make: (Int) -> CollisionEngine) {
     SERIAL({ SerialEngine() }),
-    HORIZON({ HorizonEngine(it) }),
+    HORIZON({ Engines.horizon(it) }),
     ISLANDS({ IslandsEngine(it) }),
 
     /** The reference: the paper's engine on a fixed pool, consecutive chunks, row-locked grid. */

@@ -3,8 +3,8 @@ package daphnis.core.compression
 import daphnis.core.Simulation
 import daphnis.core.TimeStep
 import daphnis.core.boundary.Box
+import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.CollisionForcing
-import daphnis.core.engine.horizon.HorizonEngine
 import daphnis.core.initial.GaussianVelocities
 import daphnis.core.initial.PlacementException
 import daphnis.core.initial.Positions
@@ -39,7 +39,7 @@ internal class GrowingGas private constructor(val spheres: Population, private v
      * @return the factor by which they have grown
      * @throws PlacementException when they jam before
      */
-    fun grow(engine: HorizonEngine, factor: Double, rate: Double, mostWork: Int, goal: String, after: After): Double {
+    fun grow(engine: CollisionEngine, factor: Double, rate: Double, mostWork: Int, goal: String, after: After): Double {
         val boundary = GrowingSpheres(box, rate)
         var dt = minOf(LONGEST, MOST_GROWTH / rate)
         val forcing = CollisionForcing(ConstantRestitution(1.0), engine = engine)

@@ -1,7 +1,8 @@
 package daphnis.core.compression
 
+import daphnis.core.Engines
 import daphnis.core.boundary.Box
-import daphnis.core.engine.horizon.HorizonEngine
+import daphnis.core.engine.CollisionEngine
 import daphnis.core.initial.Placement
 import daphnis.core.initial.PlacementException
 import daphnis.core.initial.PlacementProgress
@@ -70,13 +71,13 @@ public class GrownPlacement internal constructor(private val threads: Int, priva
         val start = RandomPlacement(threads = threads)
             .place(DoubleArray(radii.size) { radii[it] * loose }, box, walled, random)
         val gas = GrowingGas.of(start, wide, loose / half, box, random)
-        return HorizonEngine(threads).use { engine ->
+        return Engines.horizon(threads).use { engine ->
             val factor = loose * growTo(pressure, gas, box, engine)
             GrownSpheres(gas.places(), factor / ROOM)
         }
     }
 
-    private fun growTo(pressure: Double, gas: GrowingGas, box: Box, engine: HorizonEngine): Double {
+    private fun growTo(pressure: Double, gas: GrowingGas, box: Box, engine: CollisionEngine): Double {
         val n = gas.spheres.size
         val few = minOf(1.0, n / FEW)
         val window = PressureWindow(WINDOW * n / few)
@@ -159,7 +160,7 @@ public class GrownPlacement internal constructor(private val threads: Int, priva
             val from = if (k == 0) part else maxOf(part, goals[k - 1])
             maxOf(0.0, goals[k] / from - 1) / rates[k]
         }
-        HorizonEngine(threads).use { engine ->
+        Engines.horizon(threads).use { engine ->
             var now = part
             for ((k, goal) in goals.withIndex()) {
                 // A hair more than asked for, so that none overlap with the radii that are.

@@ -1,10 +1,10 @@
 package daphnis.core.compression
 
+import daphnis.core.Engines
 import daphnis.core.Simulation
 import daphnis.core.TimeStep
 import daphnis.core.boundary.Box
 import daphnis.core.engine.CollisionForcing
-import daphnis.core.engine.horizon.HorizonEngine
 import daphnis.core.initial.SeededRandom
 import daphnis.core.physics.fullPhysics
 import daphnis.core.population.Population
@@ -37,7 +37,7 @@ class JammingTest {
         val spheres = Population(p.x, p.y, p.z, v[0], v[1], v[2], radii, DoubleArray(count) { 1.0 })
         val growing = GrowingSpheres(box, rate)
         var dt = 0.02
-        val forcing = CollisionForcing(ConstantRestitution(1.0), engine = HorizonEngine(1))
+        val forcing = CollisionForcing(ConstantRestitution(1.0), engine = Engines.horizon(1))
         var early: Pair<Double, Double>? = null
         var last = 0.5 to 1.0
         Simulation(spheres, growing, forcing, TimeStep { dt }).use { simulation ->

@@ -31,5 +31,5 @@ internal object CoreEngines : TestedEngines(Engines) {
 
     /** `horizon` as it takes dense steps of few spheres, wherever that is possible. */
     fun lists(): HorizonEngine =
-        HorizonEngine(FixedPool(1), HorizonSteps.WORTH_SPHERES, null, LineFilter.BEST, ListTuning.ALWAYS, null)
+        HorizonEngine(FixedPool(1), HorizonSteps.WORTH_SPHERES, null, LineFilter.BEST, ListTuning.ALWAYS, null, null)
 }

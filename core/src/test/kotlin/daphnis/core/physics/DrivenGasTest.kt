@@ -1,10 +1,10 @@
 package daphnis.core.physics
 
+import daphnis.core.Engines
 import daphnis.core.FixedTimeStep
 import daphnis.core.Simulation
 import daphnis.core.boundary.Periodic
 import daphnis.core.engine.CollisionForcing
-import daphnis.core.engine.horizon.HorizonEngine
 import daphnis.core.force.Force
 import daphnis.core.force.thermostat.Andersen
 import daphnis.core.force.thermostat.WhiteNoise
@@ -28,7 +28,7 @@ class DrivenGasTest {
 
     private fun simulation(count: Int, seed: Long, e: Double, dt: Double, force: Force): Simulation {
         val box = cube(count, filling)
-        val forcing = CollisionForcing(ConstantRestitution(e), engine = HorizonEngine(1))
+        val forcing = CollisionForcing(ConstantRestitution(e), engine = Engines.horizon(1))
         return Simulation(gas(count, box, seed, false), Periodic(box), forcing, FixedTimeStep(dt), listOf(force))
     }
 

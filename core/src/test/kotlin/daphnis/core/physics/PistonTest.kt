@@ -1,5 +1,6 @@
 package daphnis.core.physics
 
+import daphnis.core.Engines
 import daphnis.core.FixedTimeStep
 import daphnis.core.Output
 import daphnis.core.Simulation
@@ -216,8 +217,8 @@ class PistonTest {
         }
         for (restitution in listOf(1.0, 0.7)) {
             val expected = bits(SerialEngine(), restitution)
-            assertEquals(expected, bits(HorizonEngine(1), restitution))
-            assertEquals(expected, bits(HorizonEngine(3), restitution))
+            assertEquals(expected, bits(Engines.horizon(1), restitution))
+            assertEquals(expected, bits(Engines.horizon(3), restitution))
             // One that would lay out epochs of five steps wherever it may.
             assertEquals(expected, bits(HorizonEngine(FixedPool(2), 0, HorizonTuning(5)), restitution))
         }

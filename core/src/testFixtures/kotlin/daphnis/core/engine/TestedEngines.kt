@@ -13,7 +13,9 @@ open class TestedEngines(val registry: EngineFactory) {
     /** One engine of [name]. Where an engine may give way to the serial one, it does not. */
     open fun make(name: String, settings: EngineSettings): CollisionEngine = when (name) {
         "islands" -> IslandsEngine(FixedPool(settings.threads()), fewest = 0)
-        "horizon" -> HorizonEngine(FixedPool(settings.threads()), fewest = 0, tuning = tuning(settings))
+        "horizon" -> FixedPool(settings.threads()).let { pool ->
+            HorizonEngine(pool, 0, tuning(settings), if (pool.threads == 1) null else IslandsEngine(pool, fewest = 0))
+        }
         else -> checkNotNull(registry.create(name, settings.threads())) { "$name is registered, but cannot be made" }
     }
 

@@ -3,11 +3,9 @@ package daphnis.core.engine.horizon
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.EndsFinite
 import daphnis.core.engine.SerialEngine
-import daphnis.core.engine.islands.IslandsEngine
 import daphnis.core.engine.lists.ListSteps
 import daphnis.core.engine.lists.ListTuning
 import daphnis.core.parallel.ClosableLoop
-import daphnis.core.parallel.FixedPool
 import daphnis.core.parallel.LoopStrategy
 import daphnis.core.parallel.ParallelLoop
 import daphnis.core.parallel.RangeLoop
@@ -28,9 +26,8 @@ import daphnis.core.step.PreparedStep
  *
  * It takes the same collisions in the same order and fails at the same collision as the serial engine, with the same
  * words. Where lines cannot be used ([EpochFrame.begin]), where a sphere is suddenly too fast for the bounds of the
- * step, and where an epoch would not pay, another engine takes the step: the serial one, and [IslandsEngine] where
- * there are several threads. So it is where an epoch would be far more work than that, or turns out to be
- * ([EpochLimits]), whatever the tuning.
+ * step, and where an epoch would not pay, another engine takes the step. So it is where an epoch would be far more work
+ * than that, or turns out to be ([EpochLimits]), whatever the tuning.
  *
  * Where the JVM was started with `--add-modules jdk.incubator.vector`, the search uses the vector unit
  * ([usesVectorUnit]), which is quicker and gives the same bits.
@@ -39,6 +36,7 @@ import daphnis.core.step.PreparedStep
  * @param fewest the least number of spheres with which epochs are made; 0 makes them wherever lines can be used, and
  *   shares all work among the threads, however little
  * @param tuning how epochs are laid out; null for what should be quickest
+ * @param other takes the other steps; closed with the engine; null for the serial engine, which has one thread
  */
 public class HorizonEngine internal constructor(
     private val handler: ThreadHandler,
@@ -47,27 +45,25 @@ public class HorizonEngine internal constructor(
     filter: LineFilter,
     lists: ListTuning,
     trial: SharingTrial?,
+    other: CollisionEngine?,
 ) : CollisionEngine,
     EndsFinite {
-    internal constructor(handler: ThreadHandler, fewest: Int, tuning: HorizonTuning?, filter: LineFilter) :
-        this(
-            handler,
-            fewest,
-            tuning,
-            filter,
-            HorizonSteps.listsFor(handler.threads, fewest, tuning),
-            HorizonSteps.trialFor(handler.threads, fewest, tuning),
-        )
-
     @JvmOverloads
     public constructor(
         handler: ThreadHandler,
         fewest: Int = HorizonSteps.WORTH_SPHERES,
         tuning: HorizonTuning? = null,
+        other: CollisionEngine? = null,
     ) :
-        this(handler, fewest, tuning, LineFilter.BEST)
-
-    public constructor(threads: Int) : this(FixedPool(threads))
+        this(
+            handler,
+            fewest,
+            tuning,
+            LineFilter.BEST,
+            HorizonSteps.listsFor(handler.threads, fewest, tuning),
+            HorizonSteps.trialFor(handler.threads, fewest, tuning),
+            other,
+        )
 
     override val name: String get() = "horizon"
     override val threads: Int get() = handler.threads
@@ -75,12 +71,7 @@ public class HorizonEngine internal constructor(
     override val loop: RangeLoop get() = steps.loop.forOthers
 
     private val prepared = PreparedStep()
-    private val other: CollisionEngine =
-        when {
-            threads == 1 -> SerialEngine(prepared = prepared)
-            fewest == 0 -> IslandsEngine(handler, 0)
-            else -> IslandsEngine(handler)
-        }
+    private val other = other ?: SerialEngine(prepared = prepared)
     private val steps = HorizonSteps(gate, fewest, tuning, filter, prepared, lists, trial)
     private val epoch = steps.epoch
 

@@ -67,7 +67,7 @@ class EnginesInTurnTest {
             HorizonEngine(FixedPool(1 + random.nextInt(4)), 0, HorizonTuning(1 + random.nextInt(6))),
             SerialEngine(),
             IslandsEngine(FixedPool(2), 0),
-            HorizonEngine(FixedPool(2), 1, null, ScalarFilter, ListTuning.ALWAYS, null),
+            HorizonEngine(FixedPool(2), 1, null, ScalarFilter, ListTuning.ALWAYS, null, null),
         )
         private var present = 0
         override val name = "in turn"

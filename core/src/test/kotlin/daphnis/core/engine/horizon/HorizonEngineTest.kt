@@ -1,5 +1,6 @@
 package daphnis.core.engine.horizon
 
+import daphnis.core.Engines
 import daphnis.core.FixedTimeStep
 import daphnis.core.Output
 import daphnis.core.Simulation
@@ -48,7 +49,7 @@ class HorizonEngineTest {
             // Filters take turns, and so do numbers of threads.
             val filter = if (seed % 2 == 0L) ScalarFilter else LineFilter.BEST
             val pool = FixedPool(THREADS[(seed % THREADS.size).toInt()])
-            val engine = HorizonEngine(pool, 0, made.tuning, filter, ListTuning.NEVER, trial(seed))
+            val engine = HorizonEngine(pool, 0, made.tuning, filter, ListTuning.NEVER, trial(seed), null)
             val serial = draw.simulation(SerialEngine())
             val horizon = draw.simulation(engine)
             for (step in 1..STEPS) {
@@ -99,7 +100,7 @@ class HorizonEngineTest {
             val tuning = made.tuning!!.inWindows(2 + (seed % 7).toInt())
             val filter = if (seed % 2 == 0L) ScalarFilter else LineFilter.BEST
             val pool = FixedPool(THREADS[(seed % THREADS.size).toInt()])
-            val engine = HorizonEngine(pool, 0, tuning, filter, ListTuning.NEVER, trial(seed))
+            val engine = HorizonEngine(pool, 0, tuning, filter, ListTuning.NEVER, trial(seed), null)
             val serial = draw.simulation(SerialEngine())
             val horizon = draw.simulation(engine)
             for (step in 1..STEPS / 2) {
@@ -186,7 +187,7 @@ class HorizonEngineTest {
                 ScalarFilter.near(state, query, first, end, into)
             }
         }
-        val engine = HorizonEngine(FixedPool(1), fewest = 1, tuning = HorizonTuning(16), filter = quick)
+        val engine = HorizonEngine(FixedPool(1), 1, HorizonTuning(16), quick, ListTuning.NEVER, null, null)
         val simulation = gas(engine)
         val spheres = simulation.population.size
         while (simulation.step * spheres < 1_900_000) simulation.advance()
@@ -212,6 +213,7 @@ class HorizonEngineTest {
             ScalarFilter,
             ListTuning.NEVER,
             trial,
+            null,
         )
         var alone = 0
         var shared = 0
@@ -242,7 +244,7 @@ class HorizonEngineTest {
                 now += SharingTrial.MEASURED
                 now
             }
-            val engine = HorizonEngine(FixedPool(2), HorizonSteps.WORTH_SPHERES, null, ScalarFilter, lists, trial)
+            val engine = HorizonEngine(FixedPool(2), HorizonSteps.WORTH_SPHERES, null, ScalarFilter, lists, trial, null)
             val serial = gas(SerialEngine(), apart = 1.85)
             gas(engine, apart = 1.85).use { simulation ->
                 val ways = HashSet<Boolean>()
@@ -267,7 +269,7 @@ class HorizonEngineTest {
     @Test
     fun `many spheres are shared from the beginning, few are not`() {
         for ((layers, isShared) in listOf(620 to false, 630 to true)) {
-            val engine = HorizonEngine(2)
+            val engine = Engines.horizon(2)
             gas(engine, layers = layers).use { simulation ->
                 // So few steps are no trial.
                 repeat(3) { simulation.advance() }
@@ -374,6 +376,7 @@ class HorizonEngineTest {
             null,
             LineFilter.BEST,
             ListTuning.NEVER,
+            null,
             null,
         )
         val pile = gas(engine, layers = 64)

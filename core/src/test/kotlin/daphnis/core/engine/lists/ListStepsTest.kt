@@ -1,5 +1,6 @@
 package daphnis.core.engine.lists
 
+import daphnis.core.Engines
 import daphnis.core.Output
 import daphnis.core.Simulation
 import daphnis.core.boundary.BoundaryConditions
@@ -15,7 +16,6 @@ import daphnis.core.engine.Draws
 import daphnis.core.engine.SerialEngine
 import daphnis.core.engine.assertSameStep
 import daphnis.core.engine.failure
-import daphnis.core.engine.horizon.HorizonEngine
 import daphnis.core.engine.horizon.HorizonSteps
 import daphnis.core.initial.SeededRandom
 import daphnis.core.parallel.InlineLoop
@@ -161,7 +161,7 @@ class ListStepsTest {
     @Test
     fun `they are used where they pay, on any number of threads, and nowhere else`() {
         fun listed(population: Population, boundary: BoundaryConditions, threads: Int = 1): Long {
-            val engine = HorizonEngine(threads)
+            val engine = Engines.horizon(threads)
             simulationOf(population, boundary, 0.05, engine = engine).use { s -> repeat(20) { s.advance() } }
             // Only a step in an epoch is known to end finite.
             if (engine.lists.steps > 0L) assertFalse(engine.endedFinite)
@@ -209,7 +209,7 @@ class ListStepsTest {
 
     @Test
     fun `a gas that has spread out gets no new lists`() {
-        val engine = HorizonEngine(1)
+        val engine = Engines.horizon(1)
         simulationOf(crowd(), Open, 0.05, engine = engine).use { s -> repeat(1100) { s.advance() } }
         assertTrue(engine.lists.steps in 5..1000) { "${engine.lists.steps} steps" }
     }
