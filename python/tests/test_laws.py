@@ -35,6 +35,11 @@ def test_a_law_of_python_gives_the_same_bits_with_every_engine(gas: dict[str, An
         with daphnis.Simulation(gas, **spheres, engine=engine, threads=count, restitution=law, forces=[spring]) as one:
             digests.add(one.advance(10).digest)
     assert len(digests) == 1
+    # A thread that wakes late finds all done by others.
+    with daphnis.Simulation(gas, **spheres, engine="thread-pool", threads=2, restitution=law) as one:
+        for _ in range(100):
+            if len(threads) == 1:
+                one.advance(10)
     assert len(threads) > 1, "no engine called the law from a thread of its own"
 
 

@@ -61,6 +61,9 @@ public class CollisionForcing @JvmOverloads constructor(
         step = null
     }
 
+    /** See [CollisionStep.toCome]. */
+    internal var toCome = CollisionStep.UNKNOWN
+
     /** Whether the next step is the first of spheres of which nobody has seen that they do not overlap. */
     internal var isStartUnchecked = false
 
@@ -88,6 +91,7 @@ public class CollisionForcing @JvmOverloads constructor(
         step.start = start
         step.duration = duration
         step.record = record
+        step.toCome = toCome
         engine.advance(step)
     }
 

@@ -73,12 +73,19 @@ internal class Execution(
         simulation.hold { outputs.write(simulation) }
     }
 
+    /** Steps after the next one, if they are as long as the last one; none before there is one. */
+    private fun stepsToCome(): Long {
+        if (simulation.lastDuration == 0.0) return 0
+        return maxOf(0, Math.round((plan.until - simulation.time) / simulation.lastDuration) - 1)
+    }
+
     /**
      * One step. When it fails, the state before it is kept as a checkpoint; not of a [Program], whose functions may
      * have changed what they save.
      */
     private fun advance() {
         try {
+            simulation.collisions?.toCome = stepsToCome()
             simulation.advance()
         } catch (e: IOException) {
             // From an output: the disk is the cause, and nothing more can be written.

@@ -31,4 +31,13 @@ public class CollisionStep @JvmOverloads constructor(
     /** Length of the step, > 0. */
     public var duration: Double = 0.0
     public var record: CollisionRecord? = null
+
+    /** Steps that should follow this one; it affects only the time that they take. */
+    public var toCome: Long = UNKNOWN
+
+    @EngineApi
+    public companion object {
+        /** Where nobody knows how many steps are to come: as if there were no end. */
+        public const val UNKNOWN: Long = Long.MAX_VALUE
+    }
 }

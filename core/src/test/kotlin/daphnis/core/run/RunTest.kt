@@ -393,4 +393,23 @@ class RunTest {
         }
         assertEquals(first.stateDigest, again.stateDigest)
     }
+
+    @Test
+    fun `an engine is told how many steps are to come, from the second step on`() {
+        val told = ArrayList<Long>()
+        val serial = SerialEngine()
+        val listener = object : CollisionEngine by serial {
+            override fun advance(step: CollisionStep) {
+                told += step.toCome
+                serial.advance(step)
+            }
+        }
+        val engines = object : EngineFactory {
+            override val names = listOf("horizon")
+            override fun create(name: String, threads: Int) = listener
+        }
+        val short = scenario("until=1")
+        Run.start(short, "test", home.resolve("a"), engines = engines).use { it.execute() }
+        assertEquals(listOf(0L) + (8L downTo 0), told)
+    }
 }

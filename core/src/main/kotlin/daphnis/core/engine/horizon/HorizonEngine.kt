@@ -71,12 +71,17 @@ public class HorizonEngine internal constructor(
     override val loop: RangeLoop get() = steps.loop.forOthers
 
     private val prepared = PreparedStep()
-    private val other = other ?: SerialEngine(prepared = prepared)
-    private val steps = HorizonSteps(gate, fewest, tuning, filter, prepared, lists, trial)
+    private val alone = SerialEngine(prepared = prepared)
+    private val other = other ?: alone
+    private val prospect = if (fewest > 0 && tuning == null) Prospect() else null
+    private val steps = HorizonSteps(gate, fewest, tuning, filter, prepared, lists, trial, prospect)
     private val epoch = steps.epoch
 
     /** How dense steps of few spheres are taken. */
     internal val lists: ListSteps get() = steps.lists
+
+    /** Whether the caller's thread has taken the last step alone. */
+    internal val isAlone: Boolean get() = steps.loop.isAlone
 
     /** Epochs begun, and steps taken in them, since the start; all other steps were another engine's. */
     public val epochs: Long get() = epoch.tally.begun
@@ -112,12 +117,13 @@ public class HorizonEngine internal constructor(
             endedFinite = epochSteps > before
             return
         }
-        other.advance(step)
+        (if (isAlone) alone else other).advance(step)
         steps.tookAnother(step)
     }
 
     override fun close() {
         gate.close()
+        alone.close()
         other.close()
         handler.close()
     }

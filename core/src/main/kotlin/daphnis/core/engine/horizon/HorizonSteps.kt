@@ -29,6 +29,7 @@ import daphnis.core.step.PreparedStep
  *   shares all work among the workers, however little
  * @param tuning how epochs are laid out; null for what should be quickest
  * @param trial finds out whether one thread alone is quicker; null where all share every step
+ * @param prospect says whether there is enough to do; null where there is
  */
 @EngineApi
 public class HorizonSteps internal constructor(
@@ -39,6 +40,7 @@ public class HorizonSteps internal constructor(
     internal val prepared: PreparedStep,
     lists: ListTuning,
     private val trial: SharingTrial?,
+    private val prospect: Prospect? = null,
 ) {
     @JvmOverloads
     public constructor(loop: RangeLoop, fewest: Int = WORTH_SPHERES, tuning: HorizonTuning? = null) :
@@ -86,11 +88,14 @@ public class HorizonSteps internal constructor(
         before = step.counters.collisions
         begun = epoch.tally.begun
         val size = step.population.size
-        judge = if (size < SHARED_SPHERES.toLong() * loop.workers) trial else null
-        loop.isAlone = judge?.isAlone == true
+        prospect?.look(step)
+        val isShort = loop.workers <= 2 && prospect?.isVeryLong == false
+        judge = if (!isShort && size < SHARED_SPHERES.toLong() * loop.workers) trial else null
+        loop.isAlone = isShort || judge?.isAlone == true
         judge?.begin()
         if (lists.take(step, beforeWriting)) {
             epoch.drop()
+            prospect?.passed(step, step.counters.collisions - before)
             judge?.finish(beganEpoch = true)
             return true
         }
@@ -99,6 +104,7 @@ public class HorizonSteps internal constructor(
         if (size < maxOf(fewest, 1) ||
             step.boundary.approach != 0.0 ||
             !step.boundary.walls.areKnownAhead ||
+            prospect?.isLong == false ||
             !(isEager && tuning != null) &&
             epoch.plan.rests()
         ) {
@@ -111,6 +117,7 @@ public class HorizonSteps internal constructor(
         step.record?.sort()
         epoch.addTo(step.counters)
         steps++
+        prospect?.passed(step, step.counters.collisions - before)
         judge?.finish(beganEpoch = epoch.tally.begun > begun)
         return true
     }
@@ -119,7 +126,9 @@ public class HorizonSteps internal constructor(
     public fun tookAnother(step: CollisionStep) {
         if (epoch.hasFailed) step.counters.causalityReplays++
         val size = step.population.size
-        if (size > 0) epoch.plan.observe((step.counters.collisions - before).toDouble() / size)
+        val collisions = step.counters.collisions - before
+        if (size > 0) epoch.plan.observe(collisions.toDouble() / size)
+        prospect?.passed(step, collisions)
         judge?.finish(beganEpoch = true)
     }
 

@@ -23,6 +23,7 @@ import daphnis.core.parallel.FixedPool
 import daphnis.core.population.Population
 import daphnis.core.population.stateDigest
 import daphnis.core.simulationOf
+import daphnis.core.step.CollisionStep
 import daphnis.core.surface.ConstantRestitution
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -197,6 +198,29 @@ class HorizonEngineTest {
     }
 
     @Tag("thorough")
+    @Test
+    fun `a short run is the serial engine's, on one thread, and a long one takes epochs`() {
+        fun run(toCome: (step: Int) -> Long): HorizonEngine {
+            val engine = Engines.horizon(2)
+            gas(engine, layers = 64).use { simulation ->
+                repeat(6) { step ->
+                    simulation.collisions!!.toCome = toCome(step)
+                    simulation.advance()
+                }
+            }
+            return engine
+        }
+        Prospect.IN_THIS_JVM.set(0)
+        val short = run { 5L - it }
+        assertEquals(0L, short.epochSteps)
+        assertTrue(short.isAlone)
+        val long = run { 10_000_000L - it }
+        assertTrue(long.epochSteps > 0)
+        // One whose end is not known at first.
+        assertTrue(run { if (it == 0) 0 else 10_000_000L }.epochSteps > 0)
+        assertTrue(run { CollisionStep.UNKNOWN }.epochSteps > 0)
+    }
+
     @Test
     fun `threads share steps and one takes them alone in turns while it is tried, with the same bits`() {
         val serial = gas(SerialEngine(), apart = 4.0, layers = 400)
