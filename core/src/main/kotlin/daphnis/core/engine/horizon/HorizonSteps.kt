@@ -40,7 +40,7 @@ public class HorizonSteps internal constructor(
     internal val prepared: PreparedStep,
     lists: ListTuning,
     private val trial: SharingTrial?,
-    private val prospect: Prospect? = null,
+    private val prospect: Prospect?,
 ) {
     @JvmOverloads
     public constructor(loop: RangeLoop, fewest: Int = WORTH_SPHERES, tuning: HorizonTuning? = null) :
@@ -52,6 +52,7 @@ public class HorizonSteps internal constructor(
             PreparedStep(),
             listsFor(loop.workers, fewest, tuning),
             trialFor(loop.workers, fewest, tuning),
+            null,
         )
 
     private val isEager = fewest == 0
