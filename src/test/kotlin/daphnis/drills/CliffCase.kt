@@ -16,6 +16,7 @@ import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.engine.horizon.HorizonEngine
 import daphnis.core.engine.horizon.HorizonTuning
+import daphnis.core.engine.islands.IslandsEngine
 import daphnis.core.hill.HillFrame
 import daphnis.core.hill.HillSheet
 import daphnis.core.initial.Lattice
@@ -157,8 +158,12 @@ internal class CliffCase(private val seed: Long) {
     )
 
     /** The engine of that [name] as users get it from [make], or with epochs in all steps. */
-    fun engine(name: String, make: () -> CollisionEngine): CollisionEngine =
-        if (name == "horizon" && tuning != null) HorizonEngine(FixedPool(threads), 1, tuning) else make()
+    fun engine(name: String, make: () -> CollisionEngine): CollisionEngine = if (name == "horizon" && tuning != null) {
+        val pool = FixedPool(threads)
+        HorizonEngine(pool, 1, tuning, if (threads == 1) null else IslandsEngine(pool))
+    } else {
+        make()
+    }
 
     /** Of a copy of the start. */
     fun simulation(engine: CollisionEngine): Simulation {

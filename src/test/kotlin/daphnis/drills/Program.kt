@@ -31,7 +31,8 @@ internal class Program(
     init {
         val java = Path.of(System.getProperty("java.home"), "bin", "java").toString()
         val command = before +
-            listOf(java, "-Xmx$heap", "-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1", "daphnis.app.MainKt") + arguments
+            listOf(java, "-Xmx$heap", "-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1", "-Ddaphnis.workDone=$MUCH") +
+            "daphnis.app.MainKt" + arguments
         val builder = ProcessBuilder(
             command,
         ).directory(directory.toFile()).redirectErrorStream(true).redirectOutput(log.toFile())
@@ -75,6 +76,9 @@ internal class Program(
     }
 
     companion object {
+        /** No run is short after so much work: epochs are drilled, too. */
+        private const val MUCH = 1_000_000_000L
+
         /** None stays behind when a drill is ended by a signal. */
         private val living: MutableSet<Process> = ConcurrentHashMap.newKeySet()
 

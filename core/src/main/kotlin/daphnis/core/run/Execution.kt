@@ -1,10 +1,12 @@
 package daphnis.core.run
 
+import daphnis.core.FixedTimeStep
 import daphnis.core.Opening
 import daphnis.core.OutputState
 import daphnis.core.cluster.FleetException
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.step.CollapseException
+import daphnis.core.step.CollisionStep
 import daphnis.core.wall.pistons
 import java.io.IOException
 import java.util.function.BooleanSupplier
@@ -33,6 +35,8 @@ internal class Execution(
         toTheEnd(cancelled)
     } catch (e: Throwable) {
         throw firstOf(e)
+    } finally {
+        simulation.collisions?.toCome = CollisionStep.UNKNOWN
     }
 
     /** What was handed over to the writer before [e] was thrown comes before [e], and so does its failure. */
@@ -73,10 +77,14 @@ internal class Execution(
         simulation.hold { outputs.write(simulation) }
     }
 
-    /** Steps after the next one, if they are as long as the last one; none before there is one. */
+    /** The longest step so far; those that end at a stop are shorter. */
+    private var longest = (simulation.timeStep as? FixedTimeStep)?.duration ?: 0.0
+
+    /** Steps after the next one, if they are as long as the longest one; none before there is one. */
     private fun stepsToCome(): Long {
-        if (simulation.lastDuration == 0.0) return 0
-        return maxOf(0, Math.round((plan.until - simulation.time) / simulation.lastDuration) - 1)
+        longest = maxOf(longest, simulation.lastDuration)
+        if (longest == 0.0) return 0
+        return maxOf(0, Math.round((plan.until - simulation.time) / longest) - 1)
     }
 
     /**

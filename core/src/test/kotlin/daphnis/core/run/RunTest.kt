@@ -395,7 +395,7 @@ class RunTest {
     }
 
     @Test
-    fun `an engine is told how many steps are to come, from the second step on`() {
+    fun `an engine is told how many steps are to come, to the end`() {
         val told = ArrayList<Long>()
         val serial = SerialEngine()
         val listener = object : CollisionEngine by serial {
@@ -410,6 +410,6 @@ class RunTest {
         }
         val short = scenario("until=1")
         Run.start(short, "test", home.resolve("a"), engines = engines).use { it.execute() }
-        assertEquals(listOf(0L) + (8L downTo 0), told)
+        assertEquals((9L downTo 0).toList(), told)
     }
 }

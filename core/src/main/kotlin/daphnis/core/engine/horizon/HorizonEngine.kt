@@ -19,7 +19,8 @@ import daphnis.core.step.PreparedStep
  * over all spheres by ranges, and the collisions of a step by groups of spheres that lie side by side.
  *
  * With few spheres for each thread it begins with the caller's thread alone, and finds out by trial whether several are
- * quicker ([SharingTrial]).
+ * quicker ([SharingTrial]). Where [CollisionStep.toCome] says that a run is short, the serial engine takes its steps, and
+ * two threads are one ([Prospect]).
  *
  * In dense systems of few spheres it keeps neighbour lists from step to step instead, on the caller's thread
  * ([ListSteps]).
@@ -36,7 +37,7 @@ import daphnis.core.step.PreparedStep
  * @param fewest the least number of spheres with which epochs are made; 0 makes them wherever lines can be used, and
  *   shares all work among the threads, however little
  * @param tuning how epochs are laid out; null for what should be quickest
- * @param other takes the other steps; closed with the engine; null for the serial engine, which has one thread
+ * @param other takes the other steps, but those of short runs; closed with the engine; null for the serial engine, which has one thread
  */
 public class HorizonEngine internal constructor(
     private val handler: ThreadHandler,
@@ -80,8 +81,8 @@ public class HorizonEngine internal constructor(
     /** How dense steps of few spheres are taken. */
     internal val lists: ListSteps get() = steps.lists
 
-    /** Whether the caller's thread has taken the last step alone. */
-    internal val isAlone: Boolean get() = steps.loop.isAlone
+    /** Whether the last step was one of a short run. */
+    internal val isShort: Boolean get() = steps.isShort
 
     /** Epochs begun, and steps taken in them, since the start; all other steps were another engine's. */
     public val epochs: Long get() = epoch.tally.begun
@@ -117,7 +118,7 @@ public class HorizonEngine internal constructor(
             endedFinite = epochSteps > before
             return
         }
-        (if (isAlone) alone else other).advance(step)
+        (if (steps.isShort) alone else other).advance(step)
         steps.tookAnother(step)
     }
 

@@ -69,6 +69,10 @@ public class HorizonSteps internal constructor(
     public var steps: Long = 0
         private set
 
+    /** Whether the present step is of a short run, and so one for the serial engine, unless lists take it. */
+    internal var isShort = false
+        private set
+
     /** Collisions counted, and epochs begun, before the present step. */
     private var before = 0L
     private var begun = 0L
@@ -90,9 +94,10 @@ public class HorizonSteps internal constructor(
         begun = epoch.tally.begun
         val size = step.population.size
         prospect?.look(step)
-        val isShort = loop.workers <= 2 && prospect?.isVeryLong == false
-        judge = if (!isShort && size < SHARED_SPHERES.toLong() * loop.workers) trial else null
-        loop.isAlone = isShort || judge?.isAlone == true
+        val isAlone = loop.workers <= 2 && prospect?.isVeryLong == false
+        isShort = isAlone || prospect?.isLong == false
+        judge = if (!isAlone && size < SHARED_SPHERES.toLong() * loop.workers) trial else null
+        loop.isAlone = isAlone || judge?.isAlone == true
         judge?.begin()
         if (lists.take(step, beforeWriting)) {
             epoch.drop()

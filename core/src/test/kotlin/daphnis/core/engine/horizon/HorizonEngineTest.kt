@@ -15,6 +15,7 @@ import daphnis.core.engine.FixedThreads
 import daphnis.core.engine.SerialEngine
 import daphnis.core.engine.assertSameStep
 import daphnis.core.engine.failure
+import daphnis.core.engine.islands.IslandsEngine
 import daphnis.core.engine.lists.ListTuning
 import daphnis.core.hill.HillFrame
 import daphnis.core.hill.HillSheet
@@ -50,7 +51,7 @@ class HorizonEngineTest {
             // Filters take turns, and so do numbers of threads.
             val filter = if (seed % 2 == 0L) ScalarFilter else LineFilter.BEST
             val pool = FixedPool(THREADS[(seed % THREADS.size).toInt()])
-            val engine = HorizonEngine(pool, 0, made.tuning, filter, ListTuning.NEVER, trial(seed), null)
+            val engine = HorizonEngine(pool, 0, made.tuning, filter, ListTuning.NEVER, trial(seed), islands(pool))
             val serial = draw.simulation(SerialEngine())
             val horizon = draw.simulation(engine)
             for (step in 1..STEPS) {
@@ -101,7 +102,7 @@ class HorizonEngineTest {
             val tuning = made.tuning!!.inWindows(2 + (seed % 7).toInt())
             val filter = if (seed % 2 == 0L) ScalarFilter else LineFilter.BEST
             val pool = FixedPool(THREADS[(seed % THREADS.size).toInt()])
-            val engine = HorizonEngine(pool, 0, tuning, filter, ListTuning.NEVER, trial(seed), null)
+            val engine = HorizonEngine(pool, 0, tuning, filter, ListTuning.NEVER, trial(seed), islands(pool))
             val serial = draw.simulation(SerialEngine())
             val horizon = draw.simulation(engine)
             for (step in 1..STEPS / 2) {
@@ -213,9 +214,9 @@ class HorizonEngineTest {
         Prospect.IN_THIS_JVM.set(0)
         val short = run { 5L - it }
         assertEquals(0L, short.epochSteps)
-        assertTrue(short.isAlone)
+        assertTrue(short.isShort)
         val long = run { 10_000_000L - it }
-        assertTrue(long.epochSteps > 0)
+        assertTrue(long.epochSteps > 0 && !long.isShort)
         // One whose end is not known at first.
         assertTrue(run { if (it == 0) 0 else 10_000_000L }.epochSteps > 0)
         assertTrue(run { CollisionStep.UNKNOWN }.epochSteps > 0)
@@ -515,6 +516,8 @@ class HorizonEngineTest {
             now
         }
     }
+
+    private fun islands(pool: FixedPool) = if (pool.threads == 1) null else IslandsEngine(pool, fewest = 0)
 
     private fun gas(engine: CollisionEngine, apart: Double = 3.0, layers: Int = 8, seed: Long = 3): Simulation {
         val random = SeededRandom(seed)

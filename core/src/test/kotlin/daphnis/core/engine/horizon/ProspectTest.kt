@@ -18,14 +18,16 @@ import java.util.concurrent.atomic.AtomicLong
 
 class ProspectTest {
     private val done = AtomicLong()
-    private val zeros = DoubleArray(SPHERES)
-    private val ones = DoubleArray(SPHERES) { 1.0 }
     private val step = CollisionStep(
-        Population(zeros, zeros, zeros, zeros, zeros, zeros, ones, ones),
+        Population(zeros(), zeros(), zeros(), zeros(), zeros(), zeros(), ones(), ones()),
         Periodic(Box.centred(1.0, 1.0, 1.0)),
         CollisionLaw(ConstantRestitution(1.0), NoGuard),
         CollisionCounters(),
     )
+
+    private fun zeros() = DoubleArray(SPHERES)
+
+    private fun ones() = DoubleArray(SPHERES) { 1.0 }
 
     /** Looks at the next step of [steps], after which the run ends; the step has so many [collisions]. */
     private fun Prospect.take(steps: Long, collisions: Long = 0) {
@@ -60,11 +62,18 @@ class ProspectTest {
     }
 
     @Test
-    fun `the work of a run does not change while it goes on`() {
-        val prospect = Prospect(done)
-        for (steps in LONG / SPHERES - 1 downTo 1) prospect.take(steps)
-        assertFalse(prospect.isLong)
+    fun `the work of a run does not change while it goes on, however long it is`() {
+        val short = Prospect(done)
+        for (steps in LONG / SPHERES - 1 downTo 1) short.take(steps)
+        assertFalse(short.isLong)
         assertEquals(LONG - SPHERES, done.get())
+        done.set(0)
+        val long = Prospect(done)
+        for (steps in VERY_LONG / SPHERES + 10 downTo 1) {
+            long.take(steps)
+            assertTrue(long.isVeryLong)
+        }
+        assertEquals(VERY_LONG + 10 * SPHERES, done.get())
     }
 
     @Test
@@ -74,10 +83,17 @@ class ProspectTest {
         for (steps in half downTo 1) first.take(steps)
         assertFalse(first.isLong)
         assertTrue(Prospect(done).also { it.take(half) }.isLong)
-        val before = done.get()
         val endless = Prospect(done).also { it.take(CollisionStep.UNKNOWN) }
         assertTrue(endless.isLong && endless.isVeryLong)
-        assertEquals(before, done.get())
+    }
+
+    @Test
+    fun `steps in which spheres fly far are for epochs, however few they are`() {
+        step.population.vy[7] = -3.0
+        step.duration = 2.5
+        assertFalse(Prospect(done).also { it.take(1) }.isLong)
+        step.duration = 2.7
+        assertTrue(Prospect(done).also { it.take(1) }.run { isLong && !isVeryLong })
     }
 
     private companion object {
