@@ -409,7 +409,10 @@ class RunTest {
             override fun create(name: String, threads: Int) = listener
         }
         val short = scenario("until=1")
-        Run.start(short, "test", home.resolve("a"), engines = engines).use { it.execute() }
+        Run.start(short, "test", home.resolve("a"), engines = engines).use {
+            it.execute()
+            assertEquals(CollisionStep.UNKNOWN, it.simulation.collisions!!.toCome)
+        }
         assertEquals((9L downTo 0).toList(), told)
     }
 }

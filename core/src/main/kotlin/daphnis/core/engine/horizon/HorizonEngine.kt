@@ -81,7 +81,7 @@ public class HorizonEngine internal constructor(
     /** How dense steps of few spheres are taken. */
     internal val lists: ListSteps get() = steps.lists
 
-    /** Whether the last step was one of a short run. */
+    /** See [HorizonSteps.isShort]. */
     internal val isShort: Boolean get() = steps.isShort
 
     /** Epochs begun, and steps taken in them, since the start; all other steps were another engine's. */

@@ -69,7 +69,7 @@ public class HorizonSteps internal constructor(
     public var steps: Long = 0
         private set
 
-    /** Whether the present step is of a short run, and so one for the serial engine, unless lists take it. */
+    /** Whether the run is so short that the serial engine takes the present step if it is not taken here. */
     internal var isShort = false
         private set
 

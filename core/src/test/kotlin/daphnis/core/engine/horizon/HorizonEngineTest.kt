@@ -200,9 +200,18 @@ class HorizonEngineTest {
 
     @Tag("thorough")
     @Test
-    fun `a short run is the serial engine's, on one thread, and a long one takes epochs`() {
-        fun run(toCome: (step: Int) -> Long): HorizonEngine {
-            val engine = Engines.horizon(2)
+    fun `a short run is the serial engine's, and a long one takes epochs`() {
+        var others = 0
+        fun run(threads: Int, toCome: (step: Int) -> Long): HorizonEngine {
+            val serial = SerialEngine()
+            val other = object : CollisionEngine by serial {
+                override fun advance(step: CollisionStep) {
+                    others++
+                    serial.advance(step)
+                }
+            }
+            val engine = HorizonEngine(FixedPool(threads), other = other)
+            Prospect.IN_THIS_JVM.set(0)
             gas(engine, layers = 64).use { simulation ->
                 repeat(6) { step ->
                     simulation.collisions!!.toCome = toCome(step)
@@ -211,15 +220,22 @@ class HorizonEngineTest {
             }
             return engine
         }
-        Prospect.IN_THIS_JVM.set(0)
-        val short = run { 5L - it }
-        assertEquals(0L, short.epochSteps)
-        assertTrue(short.isShort)
-        val long = run { 10_000_000L - it }
-        assertTrue(long.epochSteps > 0 && !long.isShort)
+        for (threads in 1..3) {
+            others = 0
+            val short = run(threads) { 5L - it }
+            assertEquals(0L, short.epochSteps)
+            assertTrue(short.isShort)
+            assertEquals(0, others)
+            // Two threads are one up to the longer of the two bounds.
+            val long = run(threads) { 10_000L - it }
+            assertTrue(long.epochSteps > 0)
+            assertEquals(threads <= 2, long.isShort)
+            val veryLong = run(threads) { 10_000_000L - it }
+            assertTrue(veryLong.epochSteps > 0 && !veryLong.isShort)
+            assertTrue(run(threads) { CollisionStep.UNKNOWN }.epochSteps > 0)
+        }
         // One whose end is not known at first.
-        assertTrue(run { if (it == 0) 0 else 10_000_000L }.epochSteps > 0)
-        assertTrue(run { CollisionStep.UNKNOWN }.epochSteps > 0)
+        assertTrue(run(2) { if (it == 0) 0 else 10_000_000L }.epochSteps > 0)
     }
 
     @Test
