@@ -58,7 +58,13 @@ class ProspectTest {
         assertTrue(prospect.isLong)
         prospect.take(9_998)
         prospect.take(1)
-        assertTrue(prospect.isLong)
+        assertTrue(prospect.isLong && !prospect.isVeryLong)
+        prospect.take(10_000, collisions = 1000)
+        prospect.take(9_999)
+        assertTrue(prospect.isVeryLong)
+        prospect.take(9_998)
+        prospect.take(1)
+        assertTrue(prospect.isVeryLong)
     }
 
     @Test
