@@ -47,6 +47,24 @@ public fun contactTime(a: DoubleArray, p: Int, b: DoubleArray, q: Int, image: In
 }
 
 /**
+ * A moment before which the two cannot touch, from the later of their local times on, if either is a little larger than
+ * it is: other than [contactTime] at once, where they overlap, whether they approach or not.
+ */
+internal fun soonestContact(a: DoubleArray, p: Int, b: DoubleArray, q: Int, image: Int, images: Images): Double {
+    val time = contactTime(a, p, b, q, image, images)
+    if (time < NEVER) return time
+    val t = maxOf(a[p + TIME], b[q + TIME])
+    var c = -(a[p + RADIUS] + b[q + RADIUS]) * (a[p + RADIUS] + b[q + RADIUS])
+    for (axis in 0..2) {
+        val at = b[q + axis] + b[q + VX + axis] * (t - b[q + TIME])
+        val own = a[p + axis] + a[p + VX + axis] * (t - a[p + TIME])
+        val d = at - own + (images.shift(image, axis) + images.slide(image, axis) * t)
+        c += d * d
+    }
+    return if (c <= 0) t else NEVER
+}
+
+/**
  * Calls [use] with the vector from the centre of [first] to the centre of [second], both at their places at [time], and
  * returns its result.
  */

@@ -121,4 +121,27 @@ class ContactTest {
         }
         assertTrue(contacts > 500) { "only $contacts contacts were drawn" }
     }
+
+    @Test
+    fun `the soonest contact is the contact, and at once where they overlap, whether they approach or not`() {
+        val sliding = Images().apply { prepare(LeesEdwards(Box.centred(8.0, 8.0, 8.0), 0.5), 0.3) }
+        val code = Images.code(1, 1, 0)
+        fun soonest(a: Sphere, b: Sphere, image: Int = 0, at: Double = 0.0): Pair<Double, Double> {
+            val rows = rows(a, b)
+            rows.state[StepRows.TIME] = at
+            val s = rows.state
+            return soonestContact(s, 0, s, StepRows.STRIDE, image, sliding) to contactTime(rows, 0, 1, image, sliding)
+        }
+        assertEquals(3.0, soonest(Sphere(), Sphere(x = 5.0, vx = -1.0)).first, 1e-15)
+        assertEquals(NEVER, soonest(Sphere(), Sphere(x = 5.0, vx = 1.0)).first)
+        assertEquals(NEVER to NEVER, soonest(Sphere(x = 0.1, vx = -1.0), Sphere(x = 2.2)))
+        assertEquals(0.0 to NEVER, soonest(Sphere(x = 0.2, vx = -1.0), Sphere(x = 2.1)))
+        // The second has come nearer until the local time of the first, and its image slides on.
+        val displaced = sliding.shift(code, 0) + 0.25 * sliding.slide(code, 0)
+        for ((gap, time) in listOf(-1e-9 to 0.25, 1e-9 to NEVER)) {
+            val other = Sphere(x = 2.0 + gap - displaced + 0.25, y = -sliding.shift(code, 1), vx = -1.0)
+            val own = Sphere(vx = -2.0 + sliding.slide(code, 0))
+            assertEquals(time to NEVER, soonest(own, other, code, 0.25)) { "$gap" }
+        }
+    }
 }

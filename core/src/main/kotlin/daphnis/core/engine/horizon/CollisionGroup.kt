@@ -15,7 +15,7 @@ import daphnis.core.step.PreparedStep
  * @param numbers how many groups there are
  */
 internal class CollisionGroup(
-    private val prepared: PreparedStep,
+    prepared: PreparedStep,
     private val space: EpochSpace,
     private val calendar: PairCalendar,
     places: SlotPlaces,
@@ -35,7 +35,6 @@ internal class CollisionGroup(
     private val frame = space.frame
     private val lines = space.lines
     private val cells = space.cells
-    private val images = prepared.images
 
     /** Spheres that have become roamers in this step, of which only this group knows yet. */
     val newRoamers = Roamers(frame, lines)
@@ -45,6 +44,7 @@ internal class CollisionGroup(
     val work = GroupWork(search, space.limits)
     val held = GroupSpheres(places)
     val impact = EpochImpact(prepared, held, this, witness)
+    val pairs = DuePairs(prepared, space, calendar, held, sight, work)
     val trails = Trails(frame, cells, number)
     val paths = GroupPaths()
 
@@ -92,6 +92,7 @@ internal class CollisionGroup(
         hasFailed = false
         compared = 0
         held.begin(spheres, order, frame.duration, frame.stepLimit, tracks)
+        pairs.giants.begin(areCut = keepsPaths)
         crossings.clear()
         if (newRoamers.size > 0) newRoamers.begin(space.spheres / ROOM_FOR_ROAMERS, cells.fastest, frame.memberRadius)
         if (!keepsPaths) return
@@ -109,15 +110,21 @@ internal class CollisionGroup(
     fun goOn(indexAt: IntArray, slotAt: IntArray) {
         isUnderWay = true
         held.goOn(frame.start, frame.end, indexAt, slotAt)
+        pairs.giants.begin(areCut = false)
     }
 
     /** Processes all that is queued. @return false when the step cannot be ended in this way */
     fun process(): Boolean {
         val queue = held.queue
-        while (queue.pop()) {
+        while (true) {
+            val hasNext = queue.pop()
+            if (pairs.giants.askUntil(if (hasNext) queue.time else frame.stepLimit)) {
+                if (hasNext) queue.add(queue.time, queue.first, queue.second, queue.image)
+                continue
+            }
+            if (!hasNext) return true
             if (impact.process(queue.time, queue.first, queue.second, queue.image) != Impact.End.DONE) return false
         }
-        return true
     }
 
     /** The same for one group of several: a law that throws ends it, too. */
@@ -138,62 +145,18 @@ internal class CollisionGroup(
         if (touch > frame.end) return
         val due = frame.stepAt(touch)
         if (due > frame.step || !isUnderWay) {
-            if (due < frame.steps) file(maxOf(due, frame.step), slot, other, code)
+            if (due < frame.steps) pairs.file(maxOf(due, frame.step), slot, other, code)
         } else if (seen === lines) {
-            ask(slot, other, code)
+            pairs.ask(slot, other, code)
         } else {
             crossings.add(slot, other, code)
         }
     }
 
-    private fun file(step: Int, i: Int, j: Int, code: Int) {
-        calendar.file(step, i, j, code, lines.version[i], sight.of(j).version[j])
-    }
+    /** See [DuePairs.ask] and [DuePairs.lookAtWalls]. */
+    fun ask(i: Int, j: Int, code: Int): Unit = pairs.ask(i, j, code)
 
-    /**
-     * Queues the collision of two spheres if they touch in the present step, in this window of it; if they touch in no
-     * window, files them under a later step. A sphere with itself stands for the sphere and the walls.
-     */
-    fun ask(i: Int, j: Int, code: Int) {
-        if (i == j) return askWalls(i)
-        work.asked++
-        val time = contact(i, j, code, lines)
-        if (time > frame.stepLimit) return
-        held.queue.add(time, held.placeOf(i), held.placeOf(j), lines.spheresImage(code, i, lines, j))
-    }
-
-    private fun askWalls(slot: Int) {
-        prepared.queueWalls(held.rows, held.placeOf(slot), held.queue, frame.stepLimit)
-        val next = frame.step + 1
-        if (next == frame.steps) return
-        val due = maxOf(frame.stepAt(lines.touchWall(slot, next * frame.duration)), next)
-        if (due < frame.steps) file(due, slot, slot, 0)
-    }
-
-    /** Finds out when the sphere in [slot] may touch a wall, from time [from] on. */
-    fun lookAtWalls(slot: Int, from: Double) {
-        val due = frame.stepAt(lines.touchWall(slot, from))
-        if (due > frame.step || !isUnderWay) {
-            if (due < frame.steps) file(maxOf(due, frame.step), slot, slot, 0)
-        } else {
-            askWalls(slot)
-        }
-    }
-
-    /** Whether two spheres touch in the present step if they keep the lines they had when it began; files as [ask]. */
-    fun wouldTouch(i: Int, j: Int, code: Int): Boolean = contact(i, j, code, space.before) <= frame.duration
-
-    private fun contact(i: Int, j: Int, code: Int, lines: Lines): Double {
-        val image = lines.spheresImage(code, i, lines, j)
-        val time = held.contactTime(i, j, image, images)
-        val next = frame.step + 1
-        if (time <= frame.duration || next == frame.steps) return time
-        val touch = lines.touch(i, lines, j, code, next * frame.duration)
-        if (touch > frame.end) return time
-        val due = maxOf(frame.stepAt(touch), next)
-        if (due < frame.steps) calendar.file(due, i, j, code, lines.version[i], lines.version[j])
-        return time
-    }
+    fun lookAtWalls(slot: Int, from: Double): Unit = pairs.lookAtWalls(slot, from, isUnderWay)
 
     /**
      * Finds the pieces of [other]'s spheres that [piece] of this group's may touch: calls [use] for those within the
@@ -243,6 +206,7 @@ internal class CollisionGroup(
 
     override fun met(first: Int, second: Int) {
         work.impacts++
+        pairs.giants.forget()
         if (keepsPaths) paths.met(first, second, impact.counted, record.size)
     }
 
@@ -251,6 +215,7 @@ internal class CollisionGroup(
         val p = place * StepRows.STRIDE
         val v = p + StepRows.VX
         val t = frame.step * frame.duration + state[p + StepRows.TIME]
+        if (pairs.giants.keeps(slot, p, t)) return
         if (keepsPaths) {
             val old = paths.pieceOf(place)
             trails.end(if (old == GroupPaths.NONE) trails.add(slot, lines, frame.stepStart, isNew = false) else old, t)
@@ -278,9 +243,14 @@ internal class CollisionGroup(
 
     override fun lookOut(slot: Int, place: Int, except: Int): Boolean {
         if (lines.isLost || work.isTooMuch()) return false
+        if (pairs.giants.hasKept(slot)) {
+            pairs.giants.askAgain(slot, place, except)
+            return true
+        }
         val local = held.rows.state[place * StepRows.STRIDE + StepRows.TIME]
         sight.hasMetOthers = false
-        search.around(slot, frame.stepStart + local, except)
+        // Whoever has kept its line has not looked for this one.
+        search.around(slot, frame.stepStart + local, if (pairs.giants.hasKept(except)) SteadyGiants.NOBODY else except)
         if (frame.hasWalls) lookAtWalls(slot, frame.stepStart + local)
         if (keepsPaths) {
             val piece = paths.pieceOf(place)

@@ -95,6 +95,9 @@ internal class Epoch(
     /** What was looked at in the present epoch, or its last window, in the nanoseconds of [EpochCost]. */
     val work: Double get() = whole.work.total + groups.sumOf { it.work.total }
 
+    /** How often giants have kept their lines when they met others, since the start. */
+    val kept: Long get() = whole.pairs.giants.kept
+
     /** The next step begins a new epoch. */
     fun drop() {
         hasFailed = false

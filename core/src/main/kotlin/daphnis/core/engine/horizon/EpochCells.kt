@@ -37,6 +37,16 @@ internal class EpochCells(private val frame: EpochFrame, private val lines: Line
     /** Greatest velocity of any sphere at the start, relative to the mean flow. */
     val fastest = DoubleArray(AXES)
 
+    /** The part of the spheres that are faster along an axis than three times the [rms]. */
+    var fastShare = 0.0
+        private set
+
+    /**
+     * How far spheres are spread along an axis without images, as the length of a box that they would fill evenly: a few
+     * that are far away do not count for much.
+     */
+    val spread = DoubleArray(AXES)
+
     /** Velocity of the mean flow by layer. */
     var flow = DoubleArray(0)
         private set
@@ -64,7 +74,7 @@ internal class EpochCells(private val frame: EpochFrame, private val lines: Line
     private val sorted = CellOrder()
     private var imageOfIndex = IntArray(0)
 
-    /** Of velocities, by part of the spheres and axis: sum of squares, and greatest. */
+    /** By part of the spheres and axis: the sums of [SUMS] quantities, and the greatest velocity. */
     private var sums = DoubleArray(0)
     private var maxima = DoubleArray(0)
 
@@ -97,26 +107,54 @@ internal class EpochCells(private val frame: EpochFrame, private val lines: Line
         if (from < to) cellOf.fill(total, from, to)
     }
 
-    /** Measures velocities relative to the mean flow: [rms] and [fastest]. */
+    /** Measures velocities relative to the mean flow, [rms] and [fastest], and the [spread]. */
     fun measure(spheres: SphereColumns) {
         // Parts of the same length each time, whose sums are added in order: the same bits with any number of threads.
         val parts = (spheres.size - 1) / MEASURED_AT_ONCE + 1
-        if (sums.size < AXES * parts) {
+        if (sums.size < SUMS * AXES * parts) {
             maxima = DoubleArray(AXES * parts)
             // Last, since its length says how many there is room for: an allocation before it may have failed.
-            sums = DoubleArray(AXES * parts)
+            sums = DoubleArray(SUMS * AXES * parts)
         }
         loop.run(parts, 1) { _, from, to -> for (part in from until to) measure(spheres, part) }
         for (k in 0 until AXES) {
-            var sum = 0.0
+            var squares = 0.0
+            var offsets = 0.0
+            var offsetSquares = 0.0
             var most = 0.0
             for (part in 0 until parts) {
-                sum += sums[AXES * part + k]
+                val p = SUMS * (AXES * part + k)
+                squares += sums[p]
+                offsets += sums[p + 1]
+                offsetSquares += sums[p + 2]
                 most = maxOf(most, maxima[AXES * part + k])
             }
-            rms[k] = sqrt(sum / spheres.size)
+            val n = spheres.size
+            rms[k] = sqrt(squares / n)
             fastest[k] = most
+            spread[k] = EVENLY * sqrt(maxOf(0.0, offsetSquares / n - offsets / n * (offsets / n)))
         }
+        loop.run(parts, 1) { _, from, to -> for (part in from until to) sums[part] = countFast(spheres, part) }
+        var fast = 0.0
+        for (part in 0 until parts) fast += sums[part]
+        fastShare = fast / spheres.size
+    }
+
+    /** How many spheres of this part are faster along an axis than [TAIL] times the [rms]. */
+    private fun countFast(spheres: SphereColumns, part: Int): Double {
+        val from = part * MEASURED_AT_ONCE
+        val normal = spheres.position(frame.axes[2])
+        val v0 = spheres.velocity(frame.axes[0])
+        val v1 = spheres.velocity(frame.axes[1])
+        val v2 = spheres.velocity(frame.axes[2])
+        var count = 0
+        for (i in from until minOf(from + MEASURED_AT_ONCE, spheres.size)) {
+            val isSlow = abs(v0[i] - frame.flowRate * normal[i]) <= TAIL * rms[0] &&
+                abs(v1[i]) <= TAIL * rms[1] &&
+                abs(v2[i]) <= TAIL * rms[2]
+            if (!isSlow) count++
+        }
+        return count.toDouble()
     }
 
     private fun measure(spheres: SphereColumns, part: Int) {
@@ -133,9 +171,23 @@ internal class EpochCells(private val frame: EpochFrame, private val lines: Line
                 sum += own * own
                 if (abs(own) > most) most = abs(own)
             }
-            sums[AXES * part + k] = sum
+            sums[SUMS * (AXES * part + k)] = sum
             maxima[AXES * part + k] = most
+            if (!frame.isPeriodic[k]) measureSpread(spheres.position(frame.axes[k]), k, part, from, to)
         }
+    }
+
+    private fun measureSpread(position: DoubleArray, k: Int, part: Int, from: Int, to: Int) {
+        val middle = frame.low[k] + frame.length[k] / 2
+        var sum = 0.0
+        var squares = 0.0
+        for (i in from until to) {
+            val offset = position[i] - middle
+            sum += offset
+            squares += offset * offset
+        }
+        sums[SUMS * (AXES * part + k) + 1] = sum
+        sums[SUMS * (AXES * part + k) + 2] = squares
     }
 
     /** [rms], but not much less than along the fastest axis. */
@@ -273,6 +325,14 @@ internal class EpochCells(private val frame: EpochFrame, private val lines: Line
         const val CELLS_A_SPHERE = 4L
         const val LEAST_CELLS = 64L
         const val MEASURED_AT_ONCE = 8192
+
+        /** Squares of velocities, and, along axes without images, offsets from the middle and their squares. */
+        const val SUMS = 3
+
+        const val TAIL = 3.0
+
+        /** Length of a box in units of the standard deviation of places in it. */
+        val EVENLY = sqrt(12.0)
         const val SHRINKING = 0.8
 
         /** One part in so many is room for more. */

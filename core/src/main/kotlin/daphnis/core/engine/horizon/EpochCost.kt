@@ -6,7 +6,6 @@ import kotlin.math.sqrt
 /**
  * What a step is expected to cost per sphere, in nanoseconds of the machine on which it was fitted; only ratios count.
  *
- * @param deviation see [HorizonTuning]
  * @param filter by which searches dismiss lines
  * @param threads that share the work
  * @param seen by which the model is corrected
@@ -15,7 +14,6 @@ internal class EpochCost(
     private val spheres: Int,
     private val frame: EpochFrame,
     private val cells: EpochCells,
-    private val deviation: Double,
     private val filter: LineFilter,
     private val threads: Int,
     private val seen: SeenWork,
@@ -24,7 +22,9 @@ internal class EpochCost(
     private val dt = frame.duration
 
     /** Extents along row axis, middle axis and slow axis; a layer without extent is as thick as its spheres. */
-    private val length = DoubleArray(AXES) { maxOf(frame.length[it], 2 * radius) }
+    private val length = DoubleArray(AXES) {
+        maxOf(if (frame.isPeriodic[it]) frame.length[it] else minOf(cells.spread[it], frame.length[it]), 2 * radius)
+    }
     private val density = spheres / (length[0] * length[1] * length[2])
     private val collisions = if (seen.collisions >= 0) seen.collisions else seen.crowding * ofGas()
 
@@ -55,7 +55,7 @@ internal class EpochCost(
     /** In epochs with these numbers of a [HorizonTuning]. */
     fun of(steps: Int, windows: Int, classBound: Double, along: Double, across: Double): Double {
         val time = steps * dt / windows
-        val own = 2 * radius * (1 + deviation)
+        val own = 2 * radius + frame.inflation
         look(time, along, across) { own + classBound * cells.rmsAtLeast(it) * time / 2 }
         testsAhead = tests / 2
         val all = filter.perRun * rows + filter.perLine * tests
@@ -63,7 +63,9 @@ internal class EpochCost(
         val ahead = SEARCH + all / 2 + FILED * met
         val around = SEARCH + ROAMERS + FAR * all + FOUND * met
         val searched = (2 * collisions + seen.strays) * around
-        val impacts = remoteness * (collisions * (COLLISION + LINES) + searched) + ROAMER * seen.roamers
+        val impacts =
+            remoteness * (collisions * (COLLISION + LINES) + searched) +
+                ROAMER * seen.roamersWithin(steps.toDouble() / windows)
         val byGroups = impacts * GROUPS / threads + seen.entanglement * joining(collisions)
         sharesCollisions = threads > 1 && windows == 1 && byGroups < impacts
         val begun = ((EPOCH + ahead) / threads + SORT) * windows / steps
@@ -89,8 +91,9 @@ internal class EpochCost(
     /** Of the serial engine, which sets [serialCollision]. */
     private fun serial(): Double {
         look(dt, SERIAL_ALONG, SERIAL_ACROSS) { 2 * radius + cells.fastest[it] * dt }
-        val ahead = SEARCH + (ROW * rows + TEST * tests) / 2
-        val around = SEARCH + SERIAL_FAR * (ROW * rows + TEST * tests)
+        val search = if (frame.hasGiants) SEARCH + CLASSES else SEARCH
+        val ahead = search + (ROW * rows + TEST * tests) / 2
+        val around = search + SERIAL_FAR * (ROW * rows + TEST * tests)
         serialCollision = remoteness * (SERIAL_COLLISION + 2 * around)
         return SERIAL_PASS + ahead + collisions * serialCollision
     }
@@ -138,6 +141,9 @@ internal class EpochCost(
         private const val SEARCH = 30.0
         private const val ROW = 8.0
         private const val TEST = 1.6
+
+        /** Of looking for giants, too. */
+        private const val CLASSES = 150.0
 
         /** For searches all over memory, in units of searches one after the other. */
         private const val FAR = 1.4

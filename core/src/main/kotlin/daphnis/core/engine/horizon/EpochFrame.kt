@@ -11,6 +11,7 @@ import daphnis.core.step.CollisionStep
 import daphnis.core.wall.ContactWall
 import daphnis.core.wall.WallContact
 import kotlin.math.abs
+import kotlin.math.sqrt
 
 /**
  * Space and time of an epoch: its steps, its box, how images slide in it, and the lengths by which everything else is
@@ -71,16 +72,24 @@ internal class EpochFrame {
     var largestRadius = 0.0
         private set
 
-    /** Spheres that are larger have no cell; see [MemberSizes]. */
+    /** Spheres that are larger have no cell; see [MemberSizes]. Rounded up, as the radii of lines are. */
     var memberRadius = 0.0
+        set(value) {
+            field = Lines.roundedUp(value).toDouble()
+        }
+
+    val hasGiants: Boolean get() = largestRadius > memberRadius
 
     /** With a smaller [memberRadius] floats would be too coarse for lines. */
     val leastMemberRadius: Double
-        get() = ROOM_FOR_WAYS * ROOM * FLOAT / MOST_ROUNDING * (0 until AXES).maxOf { farthestIn(it) }
+        get() = ROOM_FOR_WAYS * ROOM_BESIDE * FLOAT / MOST_ROUNDING * (0 until AXES).maxOf { farthestIn(it) }
 
     /** How far the path of a sphere may be from its line. */
     var deviation = 0.0
         private set
+
+    /** How far a giant may be from its course, twice over; see [AskedGiants]. */
+    val tolerance: Double get() = TOLERANCE * memberRadius
 
     /** What has to be added to the radii of two spheres: their paths cannot touch unless the lines come that near. */
     var inflation = 0.0
@@ -127,13 +136,15 @@ internal class EpochFrame {
         walls = contacts.within(whole)
         openWindow(0)
         var span = 0.0
+        var squares = 0.0
         for (k in 0 until AXES) {
             val way = speed[axes[k]] * whole
-            span = maxOf(span, farthestIn(k) + way)
+            squares += way * way
+            span = maxOf(span, farthestIn(k))
             if (isPeriodic[k] && (length[k] < LEAST_BOX * largestRadius || way > MOST_BOXES * length[k])) return false
         }
         if (slides && abs(images.shearVelocity) * whole > MOST_BOXES * length[0]) return false
-        farthest = ROOM * span
+        farthest = ROOM_BESIDE * span + ROOM * sqrt(squares)
         for (k in 0 until AXES) {
             fastest[axes[k]] = minOf(farthest, if (isPeriodic[k]) 2 * MOST_BOXES * length[k] else farthest) / whole
         }
@@ -211,12 +222,16 @@ internal class EpochFrame {
          */
         const val MOST_BOXES = 2.0
 
-        /** Room for speeds that collisions create. */
+        /** Room beside the spheres, and for speeds that collisions create. */
+        const val ROOM_BESIDE = 1.25
         const val ROOM = 4.0
 
         /** Eight units in the last place of a float. */
         const val FLOAT = 8.0 / (1 shl 23)
-        const val MOST_ROUNDING = 0.01
+
+        /** In units of the radius of a member; lines inflate it by twelve times as much. */
+        const val MOST_ROUNDING = 0.06
+        const val TOLERANCE = 1e-3
         const val LEAST_INFLATION = 1e-3
         const val MOST_RADIUS = 1e9
         const val LEAST_RATE = 1e-12

@@ -26,13 +26,16 @@ internal class EpochPlan {
     var sharesCollisions = true
         private set
 
-    /** The best layout that has been considered, and what it is expected to cost. */
-    private var best: HorizonTuning? = null
-    private var least = 0.0
+    /** The layout of which least work is expected, among those that are not far more than another engine's. */
+    private var cheapest: HorizonTuning? = null
+    private var leastOfAll = 0.0
 
     /** Steps to come that are left to the other engine without asking, and how many when an epoch does not pay. */
     private var rest = 0
     private var nextRest = 1
+
+    /** Steps of the present epoch, or a part of a step where it has windows. */
+    private var span = 1.0
 
     /** How many steps are to be left to the other engine when an epoch is abandoned. */
     private var nextRetreat = RETREAT
@@ -51,27 +54,23 @@ internal class EpochPlan {
      */
     fun choose(spheres: Int, frame: EpochFrame, cells: EpochCells, filter: LineFilter, threads: Int): HorizonTuning? {
         val deviation = DEVIATIONS[level]
-        val cost = EpochCost(spheres, frame, cells, deviation, filter, threads, seen)
+        val bound = if (cells.fastShare > MANY_FAST) WIDE_BOUND else CLASS_BOUND
+        val cost = EpochCost(spheres, frame, cells, filter, threads, seen)
         this.cost = cost
-        least = WORTH * cost.otherwise()
-        best = null
+        cheapest = null
+        leastOfAll = MOST * cost.otherwise()
         // Only groups that share collisions can tell whether they are less entangled now.
         if (!sharesCollisions) seen.entanglement = maxOf(CALMING * seen.entanglement, LEAST_ENTANGLEMENT)
         sharesCollisions = false
         var isPossible = false
         for (steps in STEPS) {
             // In a longer time spheres would go too far for lines.
-            if (steps > mostSteps || !frame.begin(HorizonTuning(steps, CLASS_BOUND, deviation))) break
-            consider(cost, steps, 1, deviation)
+            if (steps > mostSteps || !frame.begin(HorizonTuning(steps, bound, deviation))) break
+            consider(cost, HorizonTuning(steps, bound, deviation))
             isPossible = true
         }
-        if (isPossible && (best?.steps ?: 1) == 1) considerWindows(cost, deviation)
-        if (best == null) {
-            refused()
-        } else {
-            nextRest = 1
-        }
-        return best
+        if (isPossible && (cheapest?.steps ?: 1) == 1) considerWindows(cost, HorizonTuning(1, bound, deviation))
+        return if (leastOfAll < WORTH * cost.otherwise()) begins(cheapest!!) else refused()
     }
 
     /**
@@ -89,17 +88,13 @@ internal class EpochPlan {
         threads: Int,
         always: Boolean,
     ): HorizonTuning? {
-        val cost = EpochCost(spheres, frame, cells, fixed.deviation, filter, threads, seen)
+        val cost = EpochCost(spheres, frame, cells, filter, threads, seen)
         this.cost = cost
+        if (!frame.begin(fixed)) return null
         val expected = cost.of(fixed.steps, fixed.windows, fixed.classBound, fixed.cellsAlong, fixed.cellsAcross)
         expectedTests = cost.testsAhead
         sharesCollisions = true
-        if (always || expected <= MOST * cost.otherwise()) {
-            nextRest = 1
-            return fixed
-        }
-        refused()
-        return null
+        return if (always || expected <= MOST * cost.otherwise()) begins(fixed) else refused()
     }
 
     /**
@@ -131,41 +126,48 @@ internal class EpochPlan {
      * looked at per sphere and step.
      */
     fun abandoned(roamers: Double) {
-        seen.roamers = maxOf(seen.roamers, roamers)
+        seen.sawRoamers(maxOf(seen.roamersWithin(span), roamers), span)
         rest = nextRetreat
         nextRetreat = minOf(2 * nextRetreat, LONG_REST)
     }
 
-    private fun refused() {
+    private fun begins(tuning: HorizonTuning): HorizonTuning {
+        span = tuning.steps.toDouble() / tuning.windows
+        nextRest = 1
+        return tuning
+    }
+
+    private fun refused(): HorizonTuning? {
+        sharesCollisions = false
         // What is known of the first steps is a guess, and soon they are over.
         rest = nextRest
         nextRest = minOf(2 * nextRest, REST)
-        seen.roamers *= CALMING
+        seen.calm(CALMING)
+        return null
     }
 
     /** A step is cut more finely as long as that is expected to be quicker. */
-    private fun considerWindows(cost: EpochCost, deviation: Double) {
+    private fun considerWindows(cost: EpochCost, step: HorizonTuning) {
         var before = Double.POSITIVE_INFINITY
         for (windows in WINDOWS) {
-            val expected = consider(cost, 1, windows, deviation)
+            val expected = consider(cost, step.inWindows(windows))
             if (expected > before) return
             before = expected
         }
     }
 
-    /** Takes epochs with these numbers if they are better than the [best]. @return their expected cost */
-    private fun consider(cost: EpochCost, steps: Int, windows: Int, deviation: Double): Double {
+    /** Takes epochs of [tuning], in cells of some width, if they are better than the [cheapest]. @return expected cost */
+    private fun consider(cost: EpochCost, tuning: HorizonTuning): Double {
         var leastHere = Double.POSITIVE_INFINITY
         for (across in CELLS_ACROSS) {
             for (along in CELLS_ALONG) {
-                val expected = cost.of(steps, windows, CLASS_BOUND, along, across)
+                val expected = cost.of(tuning.steps, tuning.windows, tuning.classBound, along, across)
                 leastHere = minOf(leastHere, expected)
-                if (expected < least) {
-                    least = expected
-                    best = HorizonTuning(steps, CLASS_BOUND, deviation, along, across, windows)
-                    expectedTests = cost.testsAhead
-                    sharesCollisions = cost.sharesCollisions
-                }
+                if (expected >= leastOfAll) continue
+                leastOfAll = expected
+                cheapest = tuning.inCells(along, across)
+                expectedTests = cost.testsAhead
+                sharesCollisions = cost.sharesCollisions
             }
         }
         return leastHere
@@ -203,7 +205,7 @@ internal class EpochPlan {
      * @param isBroken whether it ended early, since too many spheres had left their lines
      */
     fun ended(steps: Int, collisions: Double, strays: Double, roamers: Double, isBroken: Boolean) {
-        seen.roamers = roamers
+        seen.sawRoamers(roamers, span)
         seen.collisions = collisions
         nextRetreat = RETREAT
         seen.strays = if (isBroken) 0.0 else strays
@@ -214,7 +216,6 @@ internal class EpochPlan {
             } else if (mostSteps > 1) {
                 mostSteps = maxOf(1, minOf(mostSteps, steps) - 1)
             }
-            if (mostSteps == 1) rest = REST
         } else if (++calm == PATIENCE) {
             // What made spheres stray may be over.
             calm = 0
@@ -229,6 +230,10 @@ internal class EpochPlan {
         val CELLS_ALONG = doubleArrayOf(1.0, 2.0, 4.0)
         const val LONGEST = 64
         const val CLASS_BOUND = 3.0
+
+        /** The same where more than that part of the spheres would be beyond it; of a gas .8 % are. */
+        const val WIDE_BOUND = 5.0
+        const val MANY_FAST = 0.02
 
         /** In units of the largest radius of a member: for free flight, for weak forces, for curved paths. */
         val DEVIATIONS = doubleArrayOf(0.0, 0.06, 0.15)

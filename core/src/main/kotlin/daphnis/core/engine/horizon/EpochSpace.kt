@@ -52,9 +52,11 @@ internal class EpochSpace(private val loop: RangeLoop) {
 
     /** The sphere in [slot], whose line is new, has no cell. See [Roamers.add] about [isFinal]. */
     fun addRoamer(slot: Int, isFinal: Boolean) {
-        val isGiant = lines.radius(slot) > frame.memberRadius
-        (if (isGiant) giants else roamers).add(slot, isFinal)
+        (if (isGiant(slot)) giants else roamers).add(slot, isFinal)
     }
+
+    /** Whether the sphere in [slot] is larger than any member. */
+    fun isGiant(slot: Int): Boolean = lines.radius(slot) > frame.memberRadius
 
     /** The step begins with the lines that there are. */
     fun settle(spheres: Int) {

@@ -54,7 +54,8 @@ internal class GroupSpheres(private val places: SlotPlaces) {
     /** For the states of two spheres without rows, and that which was found last. */
     private val first = DoubleArray(StepRows.STRIDE)
     private val second = DoubleArray(StepRows.STRIDE)
-    private var found = first
+    var found = first
+        private set
 
     /** Index in [spheres] by index; null when the two are the same. */
     private var order: IntArray? = null
@@ -115,7 +116,7 @@ internal class GroupSpheres(private val places: SlotPlaces) {
     }
 
     /** Makes [found] the array with the state of the sphere in [slot], [room] where it has no row. @return its entry */
-    private fun findState(slot: Int, room: DoubleArray): Int {
+    fun findState(slot: Int, room: DoubleArray): Int {
         val index = indexOf(slot)
         val place = places.of(index)
         if (place != SlotPlaces.NONE) {

@@ -100,6 +100,9 @@ public class HorizonEngine internal constructor(
     /** Spheres that were too large for cells, at the starts of epochs, since the start. */
     internal val giants: Long get() = epoch.tally.giants
 
+    /** Collisions in which a giant has kept its line, since the start. */
+    internal val kept: Long get() = epoch.kept
+
     /** How threads have shared collisions. */
     internal val shared: SharedCollisions get() = epoch.shared
 

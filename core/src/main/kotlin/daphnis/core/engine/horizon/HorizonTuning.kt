@@ -43,6 +43,10 @@ public class HorizonTuning internal constructor(
     internal fun inWindows(windows: Int): HorizonTuning =
         HorizonTuning(1, classBound, deviation, cellsAlong, cellsAcross, windows)
 
+    /** The same with so many cells [along] rows and [across]. */
+    internal fun inCells(along: Double, across: Double): HorizonTuning =
+        HorizonTuning(steps, classBound, deviation, along, across, windows)
+
     internal companion object {
         const val MOST_STEPS = 64
         private const val MOST_DEVIATION = 1e3

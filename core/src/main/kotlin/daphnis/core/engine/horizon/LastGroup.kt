@@ -100,7 +100,7 @@ internal class LastGroup(
 
     /** A pair of spheres of two groups is due: whether it touches if both keep their lines. */
     private fun look(i: Int, j: Int, code: Int) {
-        if (group.wouldTouch(i, j, code)) {
+        if (group.pairs.wouldTouch(i, j, code)) {
             touching.add(i, j, code)
             doomed.add(i, j, 0)
         }

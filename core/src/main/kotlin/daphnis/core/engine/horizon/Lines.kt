@@ -1,6 +1,7 @@
 package daphnis.core.engine.horizon
 
 import daphnis.core.collision.NEVER
+import daphnis.core.collision.StepRows
 import daphnis.core.collision.waitUntilContact
 import daphnis.core.growth.GrowingTable
 import daphnis.core.space.Images
@@ -105,8 +106,7 @@ internal class Lines(private val frame: EpochFrame) : GrowingTable() {
 
     /** Gives slot [i] a radius of at least [radius]. */
     fun putRadius(i: Int, radius: Double) {
-        val f = radius.toFloat()
-        state[place(i) + RADIUS] = if (f < radius) Math.nextUp(f) else f
+        state[place(i) + RADIUS] = roundedUp(radius)
     }
 
     /** Moves the line in slot [i] back by the boxes of [code], and the sphere's image forth. */
@@ -132,6 +132,43 @@ internal class Lines(private val frame: EpochFrame) : GrowingTable() {
 
     /** Velocity along [axis] of the line in slot [i]. */
     fun velocity(i: Int, axis: Int): Double = state[place(i) + U + axis * LANES].toDouble()
+
+    /**
+     * Whether a sphere that is at the place [p] of [state] at time [t], with the velocity there, see [StepRows.state],
+     * follows the line in slot [i] for the time [rest]: both are straight, so its ends are enough.
+     */
+    fun isFollowed(i: Int, state: DoubleArray, p: Int, t: Double, rest: Double): Boolean {
+        val v = p + StepRows.VX
+        return isFollowed(
+            i, image[i], state[p], state[p + 1], state[p + 2], state[v], state[v + 1], state[v + 2], t, rest,
+        )
+    }
+
+    /** The same for a sphere at (x, y, z) with velocity (vx, vy, vz), if it is at the image [code] of the line. */
+    fun isFollowed(
+        i: Int,
+        code: Int,
+        x: Double,
+        y: Double,
+        z: Double,
+        vx: Double,
+        vy: Double,
+        vz: Double,
+        t: Double,
+        rest: Double,
+    ): Boolean {
+        val images = frame.images
+        val sx = images.slide(code, 0)
+        val sy = images.slide(code, 1)
+        val ex = x - (at(i, 0, t) + images.shift(code, 0) + sx * t)
+        val ey = y - (at(i, 1, t) + images.shift(code, 1) + sy * t)
+        val ez = z - (at(i, 2, t) + images.shift(code, 2))
+        val fx = ex + (vx - (velocity(i, 0) + sx)) * rest
+        val fy = ey + (vy - (velocity(i, 1) + sy)) * rest
+        val fz = ez + (vz - velocity(i, 2)) * rest
+        val most = frame.deviation * frame.deviation
+        return ex * ex + ey * ey + ez * ez <= most && fx * fx + fy * fy + fz * fz <= most
+    }
 
     /**
      * For the image [code] of line [j] of [other] as seen from line [i], the image of the one sphere as seen from the
@@ -206,6 +243,11 @@ internal class Lines(private val frame: EpochFrame) : GrowingTable() {
         /** Where in [state] the line of slot [i] begins, with its x. */
         @JvmStatic
         fun place(i: Int): Int = (i and -LANES) * (BLOCK / LANES) + (i and LANES - 1)
+
+        fun roundedUp(radius: Double): Float {
+            val f = radius.toFloat()
+            return if (f < radius) Math.nextUp(f) else f
+        }
 
         /** The image as many boxes away as [a] and [b] together. */
         fun sum(a: Int, b: Int): Int {

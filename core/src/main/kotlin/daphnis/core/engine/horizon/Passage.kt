@@ -206,20 +206,8 @@ internal class Passage(private val space: EpochSpace, private val loop: RangeLoo
     }
 
     /** Whether the sphere in slot [k] follows its line, at the image [code], through the step that starts at [t]. */
-    private fun isOn(p: SphereColumns, k: Int, code: Int, t: Double): Boolean {
-        val dt = frame.duration
-        val images = frame.images
-        val sx = images.slide(code, 0)
-        val sy = images.slide(code, 1)
-        val ex = p.x[k] - (lines.at(k, 0, t) + images.shift(code, 0) + sx * t)
-        val ey = p.y[k] - (lines.at(k, 1, t) + images.shift(code, 1) + sy * t)
-        val ez = p.z[k] - (lines.at(k, 2, t) + images.shift(code, 2))
-        val fx = ex + (p.vx[k] - (lines.velocity(k, 0) + sx)) * dt
-        val fy = ey + (p.vy[k] - (lines.velocity(k, 1) + sy)) * dt
-        val fz = ez + (p.vz[k] - lines.velocity(k, 2)) * dt
-        val most = frame.deviation * frame.deviation
-        return ex * ex + ey * ey + ez * ez <= most && fx * fx + fy * fy + fz * fz <= most
-    }
+    private fun isOn(p: SphereColumns, k: Int, code: Int, t: Double): Boolean =
+        lines.isFollowed(k, code, p.x[k], p.y[k], p.z[k], p.vx[k], p.vy[k], p.vz[k], t, frame.duration)
 
     /** The image of the line in slot [k] that is nearest to the sphere at time [t]. */
     private fun imageAt(p: SphereColumns, k: Int, t: Double): Int {

@@ -110,6 +110,7 @@ class EpochPlanTest {
         assertTrue(plan.rests())
         assertEquals(coarse, admit(plan, coarse, always = true))
         // What an epoch that was given up has looked at counts, however good its layout is.
+        assertEquals(usual, admit(plan, usual))
         plan.abandoned(roamers = 500.0)
         assertNull(admit(plan, usual))
     }
@@ -197,6 +198,49 @@ class EpochPlanTest {
         assertTrue(plan.rests())
     }
 
+    @Test
+    fun `many roamers make epochs shorter, since the longer one is the farther they fly, and searches for them`() {
+        val steps = listOf(0.0, 20.0).map { roamers ->
+            val plan = EpochPlan()
+            plan.observe(FEW)
+            val first = choose(plan)!!.steps
+            plan.ended(first, FEW, strays = 0.0, roamers = roamers, isBroken = false)
+            assertTrue(first > 3) { "$first steps" }
+            choose(plan)?.steps ?: 0
+        }
+        assertTrue(steps[1] in 1 until steps[0]) { "$steps" }
+        val bad = EpochPlan()
+        bad.observe(FEW)
+        choose(bad)
+        bad.abandoned(roamers = 1000.0)
+        assertNull(choose(bad))
+    }
+
+    @Test
+    fun `where many are much faster than most, more of them have cells`() {
+        for ((part, bound) in listOf(0 to 3.0, 100 to 3.0, 20 to 5.0)) {
+            gas { k -> if (part > 0 && k % part == 0) 4.0 else 1.0 }
+            assertEquals(bound, choose(EpochPlan().also { it.observe(FEW) })!!.classBound) { "one of $part" }
+        }
+    }
+
+    @Test
+    fun `a few that are far away do not make a layer thin`() {
+        val steps = listOf(1.0, 100.0).map { far ->
+            val random = SeededRandom(1)
+            val n = 4000
+            size = n
+            fun gauss() = DoubleArray(n) { random.nextGaussian() }
+            val z = DoubleArray(n) { random.nextDouble(-3.0, 3.0) * if (it % 1000 == 0) far else 1.0 }
+            fun place() = DoubleArray(n) { random.nextDouble(-40.0, 40.0) }
+            val same = DoubleArray(n) { 0.5 }
+            val p = Population(place(), place(), z, gauss(), gauss(), gauss(), same, same.copyOf())
+            space.measure(p, Periodic(Box.centred(80.0, 80.0, 6.0), periodicZ = false), 0.05)
+            choose(EpochPlan().also { it.observe(FEW) })!!.steps
+        }
+        assertEquals(steps[0], steps[1])
+    }
+
     /** One for two threads. */
     private fun plan() = EpochPlan().also { threads = 2 }
 
@@ -204,7 +248,7 @@ class EpochPlanTest {
         plan.choose(size, space.frame, space.cells, ScalarFilter, threads)
 
     /** Measures a gas at a filling factor of 0.03, of so many spheres along each [edge] of its box. */
-    private fun gas(dt: Double = 0.1, edge: Int = 16) {
+    private fun gas(dt: Double = 0.1, edge: Int = 16, speed: (k: Int) -> Double = { 1.0 }) {
         val n = edge * edge * edge
         size = n
         val random = SeededRandom(1)
@@ -213,7 +257,7 @@ class EpochPlanTest {
             DoubleArray(n) { SPACING * (it % edge + 0.5) },
             DoubleArray(n) { SPACING * (it / edge % edge + 0.5) },
             DoubleArray(n) { SPACING * (it / (edge * edge) + 0.5) },
-            gauss(),
+            DoubleArray(n) { random.nextGaussian() * speed(it) },
             gauss(),
             gauss(),
             DoubleArray(n) { 0.5 },

@@ -43,7 +43,6 @@ class HorizonEngineTest {
         var rounds = 0L
         var bounces = 0L
         var inWalls = 0L
-        var giants = 0L
         val settings = FixedThreads(1)
         for (seed in 1..DRAWS) {
             val draw = LongDraw(seed)
@@ -62,7 +61,6 @@ class HorizonEngineTest {
                 if (draw.isMeddled) draw.meddle(step, listOf(serial, horizon))
             }
             engine.close()
-            giants += engine.giants
             inEpochs += engine.epochSteps - engine.epochs
             strays += engine.strays
             shared += engine.shared.steps
@@ -73,13 +71,11 @@ class HorizonEngineTest {
             if (draw.boundary is Walls) inWalls += engine.epochSteps - engine.epochs
         }
         println("$collisions collisions, $inEpochs steps without a search for all, $strays spheres off their lines")
-        println("$giants too large for cells, in all epochs")
         println("$bounces at walls, $inWalls steps there without a search for all")
         println("$shared steps shared among groups, $reopened collisions anew in $rounds rounds")
         // A margin that is too small by a radius loses one collision in some thousand.
         assertTrue(collisions > 100 * DRAWS) { "$collisions collisions" }
         assertTrue(bounces > 10 * DRAWS && inWalls > DRAWS / 2) { "$bounces at walls, in $inWalls steps" }
-        assertTrue(giants > DRAWS) { "$giants giants" }
         assertTrue(inEpochs > STEPS * DRAWS / 4) { "$inEpochs steps" }
         // They are in few of the draws.
         if (DRAWS >= 75) assertTrue(strays > DRAWS) { "$strays strays" }
@@ -93,7 +89,6 @@ class HorizonEngineTest {
         var bounces = 0L
         var steps = 0L
         var windows = 0L
-        var giants = 0L
         var crossings = 0L
         val settings = FixedThreads(1)
         for (seed in 1..DRAWS / 2) {
@@ -117,15 +112,14 @@ class HorizonEngineTest {
             bounces += serial.collisions!!.counters.wallCollisions
             steps += engine.epochSteps
             windows += engine.windows
-            giants += engine.giants
             val p = serial.population
             if (draw.boundary is HillSheet) crossings += p.id.count { p.boxesCrossed(it, 0) != 0 }
         }
-        println("$collisions collisions, $bounces at walls, in $steps steps of $windows more windows; $giants giants")
+        println("$collisions collisions, $bounces at walls, in $steps steps of $windows more windows")
         assertTrue(collisions > 100 * DRAWS) { "$collisions collisions" }
         assertTrue(bounces > 10 * DRAWS) { "$bounces at walls" }
         assertTrue(steps > STEPS * DRAWS / 6 && windows > 3 * steps) { "$steps steps, $windows windows" }
-        assertTrue(giants > DRAWS && crossings > DRAWS) { "$giants giants, $crossings through sliding faces" }
+        assertTrue(crossings > DRAWS) { "$crossings through sliding faces" }
     }
 
     @Tag("thorough")
@@ -311,7 +305,7 @@ class HorizonEngineTest {
     fun `many spheres are shared from the beginning, few are not`() {
         for ((layers, isShared) in listOf(620 to false, 630 to true)) {
             val engine = Engines.horizon(2)
-            gas(engine, layers = layers).use { simulation ->
+            gas(engine, apart = 2.75, layers = layers).use { simulation ->
                 // So few steps are no trial.
                 repeat(3) { simulation.advance() }
                 assertTrue(engine.epochSteps > 0)
