@@ -37,15 +37,9 @@ internal class EpochCells(private val frame: EpochFrame, private val lines: Line
     /** Greatest velocity of any sphere at the start, relative to the mean flow. */
     val fastest = DoubleArray(AXES)
 
-    /** The part of the spheres that are faster along an axis than three times the [rms]. */
+    /** The part of the spheres that are faster along an axis than [TAIL] times the [rms]. */
     var fastShare = 0.0
         private set
-
-    /**
-     * How far spheres are spread along an axis without images, as the length of a box that they would fill evenly: a few
-     * that are far away do not count for much.
-     */
-    val spread = DoubleArray(AXES)
 
     /** Velocity of the mean flow by layer. */
     var flow = DoubleArray(0)
@@ -74,7 +68,7 @@ internal class EpochCells(private val frame: EpochFrame, private val lines: Line
     private val sorted = CellOrder()
     private var imageOfIndex = IntArray(0)
 
-    /** By part of the spheres and axis: the sums of [SUMS] quantities, and the greatest velocity. */
+    /** Of velocities, by part of the spheres and axis: sum of squares, and greatest. */
     private var sums = DoubleArray(0)
     private var maxima = DoubleArray(0)
 
@@ -107,32 +101,25 @@ internal class EpochCells(private val frame: EpochFrame, private val lines: Line
         if (from < to) cellOf.fill(total, from, to)
     }
 
-    /** Measures velocities relative to the mean flow, [rms] and [fastest], and the [spread]. */
+    /** Measures velocities relative to the mean flow: [rms], [fastest] and [fastShare]. */
     fun measure(spheres: SphereColumns) {
         // Parts of the same length each time, whose sums are added in order: the same bits with any number of threads.
         val parts = (spheres.size - 1) / MEASURED_AT_ONCE + 1
-        if (sums.size < SUMS * AXES * parts) {
+        if (sums.size < AXES * parts) {
             maxima = DoubleArray(AXES * parts)
             // Last, since its length says how many there is room for: an allocation before it may have failed.
-            sums = DoubleArray(SUMS * AXES * parts)
+            sums = DoubleArray(AXES * parts)
         }
         loop.run(parts, 1) { _, from, to -> for (part in from until to) measure(spheres, part) }
         for (k in 0 until AXES) {
-            var squares = 0.0
-            var offsets = 0.0
-            var offsetSquares = 0.0
+            var sum = 0.0
             var most = 0.0
             for (part in 0 until parts) {
-                val p = SUMS * (AXES * part + k)
-                squares += sums[p]
-                offsets += sums[p + 1]
-                offsetSquares += sums[p + 2]
+                sum += sums[AXES * part + k]
                 most = maxOf(most, maxima[AXES * part + k])
             }
-            val n = spheres.size
-            rms[k] = sqrt(squares / n)
+            rms[k] = sqrt(sum / spheres.size)
             fastest[k] = most
-            spread[k] = EVENLY * sqrt(maxOf(0.0, offsetSquares / n - offsets / n * (offsets / n)))
         }
         loop.run(parts, 1) { _, from, to -> for (part in from until to) sums[part] = countFast(spheres, part) }
         var fast = 0.0
@@ -171,23 +158,9 @@ internal class EpochCells(private val frame: EpochFrame, private val lines: Line
                 sum += own * own
                 if (abs(own) > most) most = abs(own)
             }
-            sums[SUMS * (AXES * part + k)] = sum
+            sums[AXES * part + k] = sum
             maxima[AXES * part + k] = most
-            if (!frame.isPeriodic[k]) measureSpread(spheres.position(frame.axes[k]), k, part, from, to)
         }
-    }
-
-    private fun measureSpread(position: DoubleArray, k: Int, part: Int, from: Int, to: Int) {
-        val middle = frame.low[k] + frame.length[k] / 2
-        var sum = 0.0
-        var squares = 0.0
-        for (i in from until to) {
-            val offset = position[i] - middle
-            sum += offset
-            squares += offset * offset
-        }
-        sums[SUMS * (AXES * part + k) + 1] = sum
-        sums[SUMS * (AXES * part + k) + 2] = squares
     }
 
     /** [rms], but not much less than along the fastest axis. */
@@ -326,13 +299,8 @@ internal class EpochCells(private val frame: EpochFrame, private val lines: Line
         const val LEAST_CELLS = 64L
         const val MEASURED_AT_ONCE = 8192
 
-        /** Squares of velocities, and, along axes without images, offsets from the middle and their squares. */
-        const val SUMS = 3
-
+        /** In units of the root mean square: what counts as fast. */
         const val TAIL = 3.0
-
-        /** Length of a box in units of the standard deviation of places in it. */
-        val EVENLY = sqrt(12.0)
         const val SHRINKING = 0.8
 
         /** One part in so many is room for more. */

@@ -22,9 +22,7 @@ internal class EpochCost(
     private val dt = frame.duration
 
     /** Extents along row axis, middle axis and slow axis; a layer without extent is as thick as its spheres. */
-    private val length = DoubleArray(AXES) {
-        maxOf(if (frame.isPeriodic[it]) frame.length[it] else minOf(cells.spread[it], frame.length[it]), 2 * radius)
-    }
+    private val length = DoubleArray(AXES) { maxOf(frame.length[it], 2 * radius) }
     private val density = spheres / (length[0] * length[1] * length[2])
     private val collisions = if (seen.collisions >= 0) seen.collisions else seen.crowding * ofGas()
 

@@ -88,7 +88,7 @@ internal class EpochFrame {
     var deviation = 0.0
         private set
 
-    /** How far a giant may be from its course, twice over; see [AskedGiants]. */
+    /** Twice the distance that a giant may be from its course, see [SteadyGiants]. */
     val tolerance: Double get() = TOLERANCE * memberRadius
 
     /** What has to be added to the radii of two spheres: their paths cannot touch unless the lines come that near. */
@@ -231,6 +231,8 @@ internal class EpochFrame {
 
         /** In units of the radius of a member; lines inflate it by twelve times as much. */
         const val MOST_ROUNDING = 0.06
+
+        /** In units of the radius of a member. */
         const val TOLERANCE = 1e-3
         const val LEAST_INFLATION = 1e-3
         const val MOST_RADIUS = 1e9

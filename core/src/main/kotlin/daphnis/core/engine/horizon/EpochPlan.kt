@@ -26,9 +26,9 @@ internal class EpochPlan {
     var sharesCollisions = true
         private set
 
-    /** The layout of which least work is expected, among those that are not far more than another engine's. */
-    private var cheapest: HorizonTuning? = null
-    private var leastOfAll = 0.0
+    /** The best layout that has been considered, and what it is expected to cost. */
+    private var best: HorizonTuning? = null
+    private var least = 0.0
 
     /** Steps to come that are left to the other engine without asking, and how many when an epoch does not pay. */
     private var rest = 0
@@ -57,8 +57,8 @@ internal class EpochPlan {
         val bound = if (cells.fastShare > MANY_FAST) WIDE_BOUND else CLASS_BOUND
         val cost = EpochCost(spheres, frame, cells, filter, threads, seen)
         this.cost = cost
-        cheapest = null
-        leastOfAll = MOST * cost.otherwise()
+        least = WORTH * cost.otherwise()
+        best = null
         // Only groups that share collisions can tell whether they are less entangled now.
         if (!sharesCollisions) seen.entanglement = maxOf(CALMING * seen.entanglement, LEAST_ENTANGLEMENT)
         sharesCollisions = false
@@ -69,8 +69,8 @@ internal class EpochPlan {
             consider(cost, HorizonTuning(steps, bound, deviation))
             isPossible = true
         }
-        if (isPossible && (cheapest?.steps ?: 1) == 1) considerWindows(cost, HorizonTuning(1, bound, deviation))
-        return if (leastOfAll < WORTH * cost.otherwise()) begins(cheapest!!) else refused()
+        if (isPossible && (best?.steps ?: 1) == 1) considerWindows(cost, HorizonTuning(1, bound, deviation))
+        return best?.let { begins(it) } ?: refused()
     }
 
     /**
@@ -138,7 +138,6 @@ internal class EpochPlan {
     }
 
     private fun refused(): HorizonTuning? {
-        sharesCollisions = false
         // What is known of the first steps is a guess, and soon they are over.
         rest = nextRest
         nextRest = minOf(2 * nextRest, REST)
@@ -156,18 +155,19 @@ internal class EpochPlan {
         }
     }
 
-    /** Takes epochs of [tuning], in cells of some width, if they are better than the [cheapest]. @return expected cost */
+    /** Takes epochs of [tuning], in cells of some width, if they are better than the [best]. @return expected cost */
     private fun consider(cost: EpochCost, tuning: HorizonTuning): Double {
         var leastHere = Double.POSITIVE_INFINITY
         for (across in CELLS_ACROSS) {
             for (along in CELLS_ALONG) {
                 val expected = cost.of(tuning.steps, tuning.windows, tuning.classBound, along, across)
                 leastHere = minOf(leastHere, expected)
-                if (expected >= leastOfAll) continue
-                leastOfAll = expected
-                cheapest = tuning.inCells(along, across)
-                expectedTests = cost.testsAhead
-                sharesCollisions = cost.sharesCollisions
+                if (expected < least) {
+                    least = expected
+                    best = tuning.inCells(along, across)
+                    expectedTests = cost.testsAhead
+                    sharesCollisions = cost.sharesCollisions
+                }
             }
         }
         return leastHere

@@ -224,23 +224,6 @@ class EpochPlanTest {
         }
     }
 
-    @Test
-    fun `a few that are far away do not make a layer thin`() {
-        val steps = listOf(1.0, 100.0).map { far ->
-            val random = SeededRandom(1)
-            val n = 4000
-            size = n
-            fun gauss() = DoubleArray(n) { random.nextGaussian() }
-            val z = DoubleArray(n) { random.nextDouble(-3.0, 3.0) * if (it % 1000 == 0) far else 1.0 }
-            fun place() = DoubleArray(n) { random.nextDouble(-40.0, 40.0) }
-            val same = DoubleArray(n) { 0.5 }
-            val p = Population(place(), place(), z, gauss(), gauss(), gauss(), same, same.copyOf())
-            space.measure(p, Periodic(Box.centred(80.0, 80.0, 6.0), periodicZ = false), 0.05)
-            choose(EpochPlan().also { it.observe(FEW) })!!.steps
-        }
-        assertEquals(steps[0], steps[1])
-    }
-
     /** One for two threads. */
     private fun plan() = EpochPlan().also { threads = 2 }
 
