@@ -95,6 +95,9 @@ internal class Epoch(
     /** What was looked at in the present epoch, or its last window, in the nanoseconds of [EpochCost]. */
     val work: Double get() = whole.work.total + groups.sumOf { it.work.total }
 
+    /** Whether the last epoch that was thought of has spheres without cells since they are so large. */
+    val hasGiants: Boolean get() = frame.hasGiants
+
     /** How often giants have kept their lines when they met others, since the start. */
     val kept: Long get() = whole.pairs.giants.kept
 

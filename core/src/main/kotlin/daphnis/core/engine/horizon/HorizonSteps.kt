@@ -77,7 +77,7 @@ public class HorizonSteps internal constructor(
     private var before = 0L
     private var begun = 0L
 
-    /** The [trial], if there are so few spheres in the present step that one thread alone may be quicker. */
+    /** The [trial], if one thread alone may be quicker in the present step. */
     private var judge: SharingTrial? = null
 
     /**
@@ -96,7 +96,9 @@ public class HorizonSteps internal constructor(
         prospect?.look(step)
         val isAlone = loop.workers <= 2 && prospect?.isVeryLong == false
         isShort = isAlone || prospect?.isLong == false
-        judge = if (!isAlone && size < SHARED_SPHERES.toLong() * loop.workers) trial else null
+        // Giants keep their lines on one thread only.
+        val mayBeAlone = size < SHARED_SPHERES.toLong() * loop.workers || epoch.hasGiants
+        judge = if (!isAlone && mayBeAlone) trial else null
         loop.isAlone = isAlone || judge?.isAlone == true
         judge?.begin()
         if (lists.take(step, beforeWriting)) {
