@@ -47,8 +47,8 @@ public fun contactTime(a: DoubleArray, p: Int, b: DoubleArray, q: Int, image: In
 }
 
 /**
- * A moment before which the two cannot touch, from the later of their local times on, if either is a little larger than
- * it is: other than [contactTime] at once, where they overlap, whether they approach or not.
+ * The same for spheres one of which has been made larger, as a bound for what it is: those that overlap touch at once,
+ * at the later of their local times, whether they approach or not.
  */
 internal fun soonestContact(a: DoubleArray, p: Int, b: DoubleArray, q: Int, image: Int, images: Images): Double {
     val time = contactTime(a, p, b, q, image, images)
@@ -61,7 +61,7 @@ internal fun soonestContact(a: DoubleArray, p: Int, b: DoubleArray, q: Int, imag
         val d = at - own + (images.shift(image, axis) + images.slide(image, axis) * t)
         c += d * d
     }
-    return if (c <= 0) t else NEVER
+    return if (c > 0) NEVER else t
 }
 
 /**

@@ -1,5 +1,6 @@
 package daphnis.core.engine.horizon
 
+import daphnis.core.collision.NEVER
 import daphnis.core.collision.StepRows
 import daphnis.core.growth.GrowingTable
 
@@ -9,11 +10,15 @@ import daphnis.core.growth.GrowingTable
  */
 internal class AskedGiants(private val lines: Lines) : GrowingTable() {
     private var data = IntArray(0)
+
+    /** The time for which an entry waits; [NEVER] when it does not. */
+    private var waits = DoubleArray(0)
     private val giants = Giants()
     private val waiting = TimedHeap()
 
     override fun resize(room: Int) {
         data = data.copyOf(room * WIDTH)
+        waits = waits.copyOf(room)
     }
 
     /** Forgets all; slots are below [spheres]. */
@@ -33,7 +38,8 @@ internal class AskedGiants(private val lines: Lines) : GrowingTable() {
         data[p + 2] = code
         data[p + 3] = lines.version[i]
         data[p + 4] = lines.version[j]
-        data[p + MARKS] = 0
+        data[p + IMMINENT] = 0
+        waits[e] = NEVER
         data[p + NEXT] = giants.entries[g]
         giants.entries[g] = e
         return e
@@ -51,30 +57,28 @@ internal class AskedGiants(private val lines: Lines) : GrowingTable() {
         return lines.version[data[p]] == data[p + 3] && lines.version[data[p + 1]] == data[p + 4]
     }
 
-    /** Whether entry [e] is filed under a later step, unless it can touch in none. */
-    fun isFiled(e: Int): Boolean = data[e * WIDTH + MARKS] and FILED != 0
-
-    fun setFiled(e: Int) {
-        data[e * WIDTH + MARKS] = data[e * WIDTH + MARKS] or FILED
-    }
-
-    fun isImminent(e: Int): Boolean = data[e * WIDTH + MARKS] and IMMINENT != 0
+    fun isImminent(e: Int): Boolean = data[e * WIDTH + IMMINENT] != 0
 
     /** Entry [e], which is one of [giant], is imminent from now on. */
     fun setImminent(giant: Int, e: Int) {
         val g = giants.of(giant)
-        data[e * WIDTH + MARKS] = data[e * WIDTH + MARKS] or IMMINENT
+        data[e * WIDTH + IMMINENT] = 1
         data[e * WIDTH + NEXT_IMMINENT] = giants.imminent[g]
         giants.imminent[g] = e
     }
 
-    /** Entry [e] waits for [time]. */
+    /** Entry [e] waits for [time], or an earlier moment for which it waits already. */
     fun wait(e: Int, time: Double) {
+        if (time >= waits[e]) return
+        waits[e] = time
         waiting.add(time, e)
     }
 
     /** Takes an entry that waits for a time up to [time]; [NONE] when there is none. */
-    fun takeUntil(time: Double): Int = if (waiting.size > 0 && waiting.least <= time) waiting.take() else NONE
+    fun takeUntil(time: Double): Int {
+        if (waiting.size == 0 || waiting.least > time) return NONE
+        return waiting.take().also { waits[it] = NEVER }
+    }
 
     /** Whether [giant] has a course since it got its line. */
     fun hasCourse(giant: Int): Boolean {
@@ -89,7 +93,7 @@ internal class AskedGiants(private val lines: Lines) : GrowingTable() {
         state.copyInto(giants.courses, g * StepRows.STRIDE, p, p + StepRows.STRIDE)
         var e = giants.imminent[g]
         while (e != NONE) {
-            data[e * WIDTH + MARKS] = data[e * WIDTH + MARKS] and IMMINENT.inv()
+            data[e * WIDTH + IMMINENT] = 0
             e = after(e, NEXT_IMMINENT)
         }
         giants.imminent[g] = NONE
@@ -110,13 +114,26 @@ internal class AskedGiants(private val lines: Lines) : GrowingTable() {
         }
     }
 
-    /** The same with those that are imminent. */
+    /** The same with those that are imminent. Drops those that do not hold. */
     inline fun forEachImminent(giant: Int, use: (e: Int) -> Unit) {
+        var before = NONE
         var e = lastImminent(giant)
         while (e != NONE) {
-            if (holds(e)) use(e)
-            e = after(e, NEXT_IMMINENT)
+            val next = after(e, NEXT_IMMINENT)
+            if (holds(e)) {
+                use(e)
+                before = e
+            } else {
+                linkImminent(giant, before, next)
+            }
+            e = next
         }
+    }
+
+    /** Entry [next] follows [before] among those that are imminent; it is the first where that is [NONE]. */
+    fun linkImminent(giant: Int, before: Int, next: Int) {
+        val g = giants.of(giant)
+        if (before == NONE) giants.imminent[g] = next else data[before * WIDTH + NEXT_IMMINENT] = next
     }
 
     fun last(giant: Int): Int {
@@ -173,10 +190,8 @@ internal class AskedGiants(private val lines: Lines) : GrowingTable() {
     companion object {
         const val NONE = -1
         private const val WIDTH = 8
-        private const val MARKS = 5
+        private const val IMMINENT = 5
         const val NEXT = 6
         const val NEXT_IMMINENT = 7
-        private const val FILED = 1
-        private const val IMMINENT = 2
     }
 }

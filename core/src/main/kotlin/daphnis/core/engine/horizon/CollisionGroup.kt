@@ -244,7 +244,7 @@ internal class CollisionGroup(
     override fun lookOut(slot: Int, place: Int, except: Int): Boolean {
         if (lines.isLost || work.isTooMuch()) return false
         if (pairs.giants.hasKept(slot)) {
-            pairs.giants.askAgain(slot, place, except)
+            pairs.giants.askAgain(slot, except)
             return true
         }
         val local = held.rows.state[place * StepRows.STRIDE + StepRows.TIME]

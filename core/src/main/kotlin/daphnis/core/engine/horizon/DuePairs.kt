@@ -30,30 +30,39 @@ internal class DuePairs(
      */
     fun ask(i: Int, j: Int, code: Int) {
         if (i == j) return askWalls(i)
-        val time = contact(i, j, code, lines)
-        if (!giants.take(time, i, j, code)) queue(time, i, j, code)
+        val time = contact(i, j, code)
+        if (giants.haveOneOf(i, j)) {
+            // Whether it touches now may change as long as both keep their lines.
+            fileLater(i, j, code, lines)
+            if (giants.takes(i, j, code)) return
+        } else if (time > frame.duration) {
+            fileLater(i, j, code, lines)
+        }
+        queue(time, i, j, code)
     }
 
-    /** When two spheres touch in the present step, as if they could not in a later one; otherwise as [ask]. */
-    fun contactNow(i: Int, j: Int, code: Int, lines: Lines = this.lines): Double {
+    /** When two spheres touch in the present step. */
+    fun contact(i: Int, j: Int, code: Int, lines: Lines = this.lines): Double {
         work.asked++
         return held.contactTime(i, j, lines.spheresImage(code, i, lines, j), prepared.images)
     }
 
-    /** The same, and files them under a later step if they touch in one only. */
-    fun contact(i: Int, j: Int, code: Int, lines: Lines = this.lines): Double {
-        val time = contactNow(i, j, code, lines)
+    /** Files two spheres under the first later step in which they may touch. */
+    private fun fileLater(i: Int, j: Int, code: Int, lines: Lines) {
         val next = frame.step + 1
-        if (time <= frame.duration || next == frame.steps) return time
+        if (next == frame.steps) return
         val touch = lines.touch(i, lines, j, code, next * frame.duration)
-        if (touch > frame.end) return time
+        if (touch > frame.end) return
         val due = maxOf(frame.stepAt(touch), next)
         if (due < frame.steps) calendar.file(due, i, j, code, lines.version[i], lines.version[j])
-        return time
     }
 
     /** Whether two spheres touch in the present step if they keep the lines they had when it began; files as [ask]. */
-    fun wouldTouch(i: Int, j: Int, code: Int): Boolean = contact(i, j, code, space.before) <= frame.duration
+    fun wouldTouch(i: Int, j: Int, code: Int): Boolean {
+        val touches = contact(i, j, code, space.before) <= frame.duration
+        if (!touches) fileLater(i, j, code, space.before)
+        return touches
+    }
 
     /** Queues the collision of two spheres at [time], if that is in this window of the step. */
     fun queue(time: Double, i: Int, j: Int, code: Int) {

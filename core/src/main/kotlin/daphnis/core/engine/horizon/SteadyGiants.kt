@@ -12,10 +12,11 @@ import daphnis.core.space.Images
  * The giants of a step, which hardly change their paths when they meet the small spheres around them. Searching anew
  * for a moonlet whenever a ring particle falls on it, and asking all that lie there, would be most of the work.
  *
- * - As long as the path of a giant stays within the deviation of its line, it **keeps the line**: what is filed of the
- *   two holds, and only those that have been asked in this step have to be asked again.
+ * - As long as the path of a giant stays within the deviation of its line, it **keeps the line**: what is filed of
+ *   it holds, and only those that have been asked in this step have to be asked again. All of these are filed under a
+ *   later step as well, where there is one in which they may touch.
  * - Of these, most wait. A giant has a **course**, a path that it had not long ago, and is within half of
- *   [EpochFrame.tolerance] of it. A pair waits for the moment before which the two cannot touch if the giant is larger
+ *   [EpochFrame.tolerance] of it, or takes another. A pair waits for the moment before which the two cannot touch if the giant is larger
  *   by that tolerance and on its course. From then on it is **imminent**: only such pairs are asked whenever the giant
  *   has met another.
  *
@@ -69,23 +70,35 @@ internal class SteadyGiants(
         if (!lines.isFollowed(slot, held.rows.state, p, t, end - t)) return false
         kept++
         if (first == NOBODY) first = slot else second = slot
+        // Before the other one looks for it.
+        if (!asked.hasCourse(slot) || !isOnCourse(slot, held.rows.state, p)) take(slot, p)
         return true
     }
 
-    /** Takes a pair that has been asked, and touches at [time]. @return whether that is not to be queued now */
-    fun take(time: Double, i: Int, j: Int, code: Int): Boolean {
-        if (!areAny) return false
+    /** The giant in [slot] takes its course along the path at [p] of the rows. */
+    private fun take(slot: Int, p: Int) {
+        asked.setCourse(slot, held.rows.state, p)
+        asked.forEachPresent(slot) { e ->
+            val areGiants = space.isGiant(asked.first(e)) && space.isGiant(asked.second(e))
+            if (areGiants || !waits(slot, e)) asked.setImminent(slot, e)
+        }
+    }
+
+    /** Whether one of the two is a giant that may keep its line. */
+    fun haveOneOf(i: Int, j: Int): Boolean = areAny && (space.isGiant(i) || space.isGiant(j))
+
+    /** Takes a pair of which [haveOneOf], and which has been asked. @return whether it waits */
+    fun takes(i: Int, j: Int, code: Int): Boolean {
         val isFirst = space.isGiant(i)
         val isSecond = space.isGiant(j)
         // Two giants are imminent: each has a course, from which it may go.
-        val waits = isFirst != isSecond
-        return isFirst && note(i, time, i, j, code, waits) || isSecond && note(j, time, i, j, code, waits)
+        val mayWait = isFirst != isSecond
+        return isFirst && note(i, i, j, code, mayWait) || isSecond && note(j, i, j, code, mayWait)
     }
 
     /** @return whether the pair waits */
-    private fun note(giant: Int, time: Double, i: Int, j: Int, code: Int, mayWait: Boolean): Boolean {
+    private fun note(giant: Int, i: Int, j: Int, code: Int, mayWait: Boolean): Boolean {
         val e = asked.add(giant, i, j, code)
-        if (time > frame.duration) asked.setFiled(e)
         if (!asked.hasCourse(giant)) {
             val p = held.findState(giant, state)
             asked.setCourse(giant, held.found, p)
@@ -132,22 +145,11 @@ internal class SteadyGiants(
         val i = asked.first(e)
         val j = asked.second(e)
         val code = asked.image(e)
-        val time = if (asked.isFiled(e)) pairs.contactNow(i, j, code) else pairs.contact(i, j, code)
-        if (time > frame.duration) asked.setFiled(e)
-        pairs.queue(time, i, j, code)
+        pairs.queue(pairs.contact(i, j, code), i, j, code)
     }
 
-    /** Asks all again, except slot [except], that may touch the giant in [slot], at [place], which has kept its line. */
-    fun askAgain(slot: Int, place: Int, except: Int) {
-        val p = place * STRIDE
-        val state = held.rows.state
-        if (!asked.hasCourse(slot) || !isOnCourse(slot, state, p)) {
-            asked.setCourse(slot, state, p)
-            asked.forEachPresent(slot) { e ->
-                val areGiants = space.isGiant(asked.first(e)) && space.isGiant(asked.second(e))
-                if (areGiants || !waits(slot, e)) asked.setImminent(slot, e)
-            }
-        }
+    /** Asks all again, except slot [except], that may touch the giant in [slot] now, which has kept its line. */
+    fun askAgain(slot: Int, except: Int) {
         asked.forEachImminent(slot) { e -> if (asked.first(e) != except && asked.second(e) != except) ask(e) }
         // Under which later step it and the walls are filed has not changed.
         if (frame.hasWalls) pairs.queueWalls(slot)

@@ -24,6 +24,8 @@ import daphnis.core.surface.ConstantRestitution
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import kotlin.math.cos
+import kotlin.math.sin
 import kotlin.math.sqrt
 
 /** Bodies among small spheres, which they pull and on which these come to lie. */
@@ -116,6 +118,47 @@ class GiantsTest {
         assertTrue(giants > 2 * DRAWS) { "$giants giants" }
         assertTrue(kept > 100 * DRAWS && collisions > 2 * kept) { "$kept of $collisions collisions" }
         assertTrue(bounces > DRAWS) { "$bounces at walls" }
+    }
+
+    @Test
+    fun `a sphere whose contact a giant leaves for a later step is found in that step`() {
+        val random = SeededRandom(5)
+        val cos = cos(Math.toRadians(20.0))
+        val sin = sin(Math.toRadians(20.0))
+        val mass = 1e4
+
+        /** The mass that gives the giant a velocity of [u] along x when it hits with [v]; restitution is 1/2. */
+        fun massFor(u: Double, v: Double) = (u / cos * mass / (1.5 * v)).let { it / (1 - it / mass) }
+        repeat(40) {
+            // One comes slowly from the left; when its contact is near, two others make the giant flee before it.
+            val gap = 0.0045 + random.nextDouble(-1e-4, 1e-4)
+            val slowest = random.nextDouble(1e-5, 4e-4)
+            val early = 11.0 + 3.2 * 0.01
+            val late = 11.0 + 3.4 * 0.355
+            val spheres = listOf(
+                Sphere(r = 10.0, m = mass),
+                Sphere(-(11 + gap), vx = 0.01),
+                Sphere(-early * cos, early * sin, vx = 3.2 * cos, vy = -3.2 * sin, m = massFor(0.00044, 3.2)),
+                Sphere(-late * cos, -late * sin, vx = 3.4 * cos, vy = 3.4 * sin, m = massFor(0.00956 - slowest, 3.4)),
+            ) + List(1000) { Sphere(30.0 + 6 * (it % 10), 6.0 * (it / 10 % 10) - 27, 6.0 * (it / 100) - 27) }
+            fun simulation(engine: CollisionEngine) = simulationOf(
+                populationOf(*spheres.toTypedArray()),
+                Open,
+                1.0,
+                ConstantRestitution(0.5),
+                engine = engine,
+            )
+            val engine = HorizonEngine(FixedPool(1), 0, HorizonTuning(32, deviation = 0.5))
+            val serial = simulation(SerialEngine())
+            val horizon = simulation(engine)
+            for (step in 1..20) {
+                serial.advance()
+                horizon.advance()
+                assertSameStep(serial, horizon, "gap $gap, $slowest, step $step")
+            }
+            assertTrue(engine.kept >= 2) { "${engine.kept} kept" }
+            engine.close()
+        }
     }
 
     @Test
