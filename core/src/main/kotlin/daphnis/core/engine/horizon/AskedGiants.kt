@@ -6,7 +6,7 @@ import daphnis.core.growth.GrowingTable
 
 /**
  * The pairs of which one is a giant that have been asked in a step, by giant, and the courses of giants; see
- * [SteadyGiants]. An entry holds as long as neither sphere has got a new line.
+ * [SteadyGiants]. An entry holds as long as neither sphere has got a new line. Two giants have an entry each.
  */
 internal class AskedGiants(private val lines: Lines) : GrowingTable() {
     private var data = IntArray(0)
@@ -28,7 +28,7 @@ internal class AskedGiants(private val lines: Lines) : GrowingTable() {
         clear()
     }
 
-    /** The slots [i] and [j], of which one is [giant], have been asked. @return the entry, which is not imminent */
+    /** The slots [i] and [j], of which one is [giant], have been asked. @return the entry, which does not wait yet */
     fun add(giant: Int, i: Int, j: Int, code: Int): Int {
         val g = giants.of(giant)
         val e = append()
@@ -59,7 +59,7 @@ internal class AskedGiants(private val lines: Lines) : GrowingTable() {
 
     fun isImminent(e: Int): Boolean = data[e * WIDTH + IMMINENT] != 0
 
-    /** Entry [e], which is one of [giant], is imminent from now on. */
+    /** Entry [e], which is one of [giant] and not imminent, is so from now on. */
     fun setImminent(giant: Int, e: Int) {
         val g = giants.of(giant)
         data[e * WIDTH + IMMINENT] = 1

@@ -118,6 +118,7 @@ internal class CollisionGroup(
         val queue = held.queue
         while (true) {
             val hasNext = queue.pop()
+            // Pairs with giants that have waited until now may collide before what is next; then that is put back.
             if (pairs.giants.askUntil(if (hasNext) queue.time else frame.stepLimit)) {
                 if (hasNext) queue.add(queue.time, queue.first, queue.second, queue.image)
                 continue

@@ -29,7 +29,8 @@ import daphnis.core.step.PreparedStep
  *   step or an earlier one, or are found when the later of the two lines is drawn: whoever gets a new line searches
  *   among all others.
  * - (B) In every step, each sphere is within the deviation of its line until its first collision. That was seen before
- *   the collisions of the step, and holds for a line drawn at a collision.
+ *   the collisions of the step, and holds for a line drawn at a collision. A giant may follow its line for longer
+ *   ([SteadyGiants]): then pairs with it stay filed, and those asked in the step are asked again.
  * - (C) Searches find every line that can come near: a member is near its cell until the end of the epoch, a roamer is
  *   in the list of roamers. A line is checked for that when it is drawn.
  *

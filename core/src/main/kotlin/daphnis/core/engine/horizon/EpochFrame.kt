@@ -222,8 +222,10 @@ internal class EpochFrame {
          */
         const val MOST_BOXES = 2.0
 
-        /** Room beside the spheres, and for speeds that collisions create. */
+        /** Room beside the spheres, for those that fly out of an open box. */
         const val ROOM_BESIDE = 1.25
+
+        /** Room for speeds that collisions create. */
         const val ROOM = 4.0
 
         /** Eight units in the last place of a float. */

@@ -137,7 +137,7 @@ internal class EpochPlan {
         return tuning
     }
 
-    private fun refused(): HorizonTuning? {
+    private fun refused(): Nothing? {
         // What is known of the first steps is a guess, and soon they are over.
         rest = nextRest
         nextRest = minOf(2 * nextRest, REST)

@@ -11,9 +11,14 @@ internal class SeenWork {
     /** How many more lines the last epoch tested than an even distribution in space would have had it test. */
     var crowding = 1.0
 
-    /** Entries of roamers that searches of the last epoch looked at, per sphere and step, and how many steps it had. */
+    /** How many times as much work it is to join what groups have done as [EpochCost.joining] has it. */
+    var entanglement = 1.0
+
+    /** Entries of roamers that searches of the last epoch looked at, per sphere and step. */
     var roamers = 0.0
         private set
+
+    /** How many steps ahead that epoch, or its windows, looked. */
     private var span = 1.0
 
     /** Told of the [roamers] in an epoch, or window, of [span] steps. */
@@ -27,9 +32,9 @@ internal class SeenWork {
         roamers *= calming
     }
 
-    /** The same as [roamers] for epochs of [span] steps: fast spheres, and those that look for them, fly as far. */
+    /**
+     * [roamers] as expected in epochs of [span] steps. The farther ahead, the farther around themselves all look for
+     * roamers, along two axes at least where there are many: by the square.
+     */
     fun roamersWithin(span: Double): Double = roamers * (span / this.span) * (span / this.span)
-
-    /** How many times as much work it is to join what groups have done as [EpochCost.joining] has it. */
-    var entanglement = 1.0
 }

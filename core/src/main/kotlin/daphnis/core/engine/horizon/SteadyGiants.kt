@@ -12,13 +12,13 @@ import daphnis.core.space.Images
  * The giants of a step, which hardly change their paths when they meet the small spheres around them. Searching anew
  * for a moonlet whenever a ring particle falls on it, and asking all that lie there, would be most of the work.
  *
- * - As long as the path of a giant stays within the deviation of its line, it **keeps the line**: what is filed of
- *   it holds, and only those that have been asked in this step have to be asked again. All of these are filed under a
- *   later step as well, where there is one in which they may touch.
+ * - As long as the path of a giant stays within the deviation of its line until the end of the step, or window, it
+ *   **keeps the line**: what is filed of it holds, and only those that have been asked in this step have to be asked
+ *   again. All of these are filed under a later step as well, where there is one in which they may touch.
  * - Of these, most wait. A giant has a **course**, a path that it had not long ago, and is within half of
- *   [EpochFrame.tolerance] of it, or takes another. A pair waits for the moment before which the two cannot touch if the giant is larger
- *   by that tolerance and on its course. From then on it is **imminent**: only such pairs are asked whenever the giant
- *   has met another.
+ *   [EpochFrame.tolerance] of it, or takes another. A pair waits for the moment before which the two cannot touch if
+ *   the giant is on its course and larger by that tolerance. From then on it is **imminent**: only such pairs are asked
+ *   whenever the giant has met another.
  *
  * Where paths are cut into pieces, for groups on several threads, giants are as other spheres.
  */
@@ -43,9 +43,9 @@ internal class SteadyGiants(
     private var first = NOBODY
     private var second = NOBODY
 
-    /** The course of a giant, larger by the tolerance, and the state of another sphere. */
+    /** The course of a giant, and the state of another sphere. */
     private val course = DoubleArray(STRIDE)
-    private val state = DoubleArray(STRIDE)
+    private val other = DoubleArray(STRIDE)
 
     /** Begins a step, or window. */
     fun begin(areCut: Boolean) {
@@ -66,8 +66,7 @@ internal class SteadyGiants(
     /** The sphere in [slot] has the path at [p] of its rows from time [t] on. @return whether it keeps its line */
     fun keeps(slot: Int, p: Int, t: Double): Boolean {
         if (!areAny || !space.isGiant(slot)) return false
-        val end = if (frame.windows == 1) frame.stepStart + frame.duration else frame.end
-        if (!lines.isFollowed(slot, held.rows.state, p, t, end - t)) return false
+        if (!lines.isFollowed(slot, held.rows.state, p, t, frame.stepStart + frame.stepLimit - t)) return false
         kept++
         if (first == NOBODY) first = slot else second = slot
         // Before the other one looks for it.
@@ -100,7 +99,7 @@ internal class SteadyGiants(
     private fun note(giant: Int, i: Int, j: Int, code: Int, mayWait: Boolean): Boolean {
         val e = asked.add(giant, i, j, code)
         if (!asked.hasCourse(giant)) {
-            val p = held.findState(giant, state)
+            val p = held.findState(giant, other)
             asked.setCourse(giant, held.found, p)
         }
         if (mayWait && waits(giant, e)) return true
@@ -115,7 +114,7 @@ internal class SteadyGiants(
         val image = lines.spheresImage(asked.image(e), i, lines, j)
         asked.copyCourse(giant, course)
         course[RADIUS] += frame.tolerance
-        val q = held.findState(if (giant == i) j else i, state)
+        val q = held.findState(if (giant == i) j else i, other)
         val its = held.found
         val time = soonestContact(course, 0, its, q, if (giant == i) image else Images.negated(image), images)
         if (time <= maxOf(course[TIME], its[q + TIME])) return false
@@ -167,6 +166,7 @@ internal class SteadyGiants(
             now += off * off
             later += then * then
         }
+        // Half of the tolerance, which leaves the other half for the rounding of everything.
         val most = frame.tolerance * frame.tolerance / 4
         return now <= most && later <= most
     }
