@@ -74,7 +74,7 @@ internal class CollisionGroup(
     /** Begins an epoch, in which [filter] dismisses lines. */
     fun beginEpoch(filter: LineFilter) {
         newLines.begin()
-        newRoamers.begin(space.spheres / ROOM_FOR_ROAMERS, cells.fastest, frame.memberRadius)
+        newRoamers.begin(space.spheres / ROOM_FOR_ROAMERS, cells.speeds.fastest, frame.memberRadius)
         search.begin(filter)
         rest()
     }
@@ -94,7 +94,11 @@ internal class CollisionGroup(
         held.begin(spheres, order, frame.duration, frame.stepLimit, tracks)
         pairs.giants.begin(areCut = keepsPaths)
         crossings.clear()
-        if (newRoamers.size > 0) newRoamers.begin(space.spheres / ROOM_FOR_ROAMERS, cells.fastest, frame.memberRadius)
+        if (newRoamers.size >
+            0
+        ) {
+            newRoamers.begin(space.spheres / ROOM_FOR_ROAMERS, cells.speeds.fastest, frame.memberRadius)
+        }
         if (!keepsPaths) return
         trails.clear()
         paths.begin()

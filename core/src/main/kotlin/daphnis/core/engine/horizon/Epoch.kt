@@ -185,8 +185,8 @@ internal class Epoch(
     /** @return whether there can be an epoch of [all] from [step] on, and it should be quicker than the serial engine */
     private fun layOut(step: CollisionStep, all: SphereColumns, fixed: HorizonTuning?): Boolean {
         frame.takeOver(step, all, prepared.reach, loop)
-        cells.measure(all)
-        frame.memberRadius = sizes.choose(all, frame, cells.rms, loop)
+        cells.speeds.measure(all)
+        frame.memberRadius = sizes.choose(all, frame, cells.speeds.rms, loop)
         filter = filters.choose(all.size)
         tuning = plan.layOut(fixed, all.size, space, filter, loop.active, isEager) ?: return false
         cells.sort(all, tuning, 0.0)
@@ -209,8 +209,8 @@ internal class Epoch(
     private fun beginWindow() {
         for (calendar in calendars) calendar.begin(frame.steps)
         space.settle(spheres)
-        space.roamers.begin(spheres, cells.fastest, frame.memberRadius)
-        space.giants.begin(spheres, cells.fastest, frame.largestRadius)
+        space.roamers.begin(spheres, cells.speeds.fastest, frame.memberRadius)
+        space.giants.begin(spheres, cells.speeds.fastest, frame.largestRadius)
         whole.beginEpoch(filter)
         for (group in groups) group.beginEpoch(filter)
     }

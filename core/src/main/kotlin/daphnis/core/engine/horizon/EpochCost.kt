@@ -43,7 +43,7 @@ internal class EpochCost(
 
     /** Collisions per sphere and step of a gas: Enskog's, with the contact value of Carnahan and Starling. */
     private fun ofGas(): Double {
-        val speed = sqrt((0 until AXES).sumOf { cells.rms[it] * cells.rms[it] } / AXES)
+        val speed = sqrt((0 until AXES).sumOf { cells.speeds.rms[it] * cells.speeds.rms[it] } / AXES)
         val filling = minOf(4 * PI / 3 * radius * radius * radius * density, MOST_FILLING)
         val free = 1 - filling
         val contact = (1 - filling / 2) / (free * free * free)
@@ -54,7 +54,7 @@ internal class EpochCost(
     fun of(steps: Int, windows: Int, classBound: Double, along: Double, across: Double): Double {
         val time = steps * dt / windows
         val own = 2 * radius + frame.inflation
-        look(time, along, across) { own + classBound * cells.rmsAtLeast(it) * time / 2 }
+        look(time, along, across) { own + classBound * cells.speeds.rmsAtLeast(it) * time / 2 }
         testsAhead = tests / 2
         val all = filter.perRun * rows + filter.perLine * tests
         val met = collisions * steps / windows
@@ -88,7 +88,7 @@ internal class EpochCost(
 
     /** Of the serial engine, which sets [serialCollision]. */
     private fun serial(): Double {
-        look(dt, SERIAL_ALONG, SERIAL_ACROSS) { 2 * radius + cells.fastest[it] * dt }
+        look(dt, SERIAL_ALONG, SERIAL_ACROSS) { 2 * radius + cells.speeds.fastest[it] * dt }
         val search = if (frame.hasGiants) SEARCH + CLASSES else SEARCH
         val ahead = search + (ROW * rows + TEST * tests) / 2
         val around = search + SERIAL_FAR * (ROW * rows + TEST * tests)
@@ -110,7 +110,7 @@ internal class EpochCost(
             val range = 2 * margin(k)
             val count = maxOf(1.0, Math.floor(length[k] / range * if (k == 0) along else across))
             val width = length[k] / count
-            var seen = range + MEAN_WAY * cells.rms[k] * time + width
+            var seen = range + MEAN_WAY * cells.speeds.rms[k] * time + width
             if (!frame.isPeriodic[k]) seen = minOf(seen, length[k])
             if (k > 0) rows *= seen / width
             tests *= seen / length[k]

@@ -54,7 +54,7 @@ internal class EpochPlan {
      */
     fun choose(spheres: Int, frame: EpochFrame, cells: EpochCells, filter: LineFilter, threads: Int): HorizonTuning? {
         val deviation = DEVIATIONS[level]
-        val bound = if (cells.fastShare > MANY_FAST) WIDE_BOUND else CLASS_BOUND
+        val bound = if (cells.speeds.fastShare > MANY_FAST) WIDE_BOUND else CLASS_BOUND
         val cost = EpochCost(spheres, frame, cells, filter, threads, seen)
         this.cost = cost
         least = WORTH * cost.otherwise()

@@ -76,7 +76,7 @@ internal class Trails(private val frame: EpochFrame, private val cells: EpochCel
 
     /** Puts all pieces into the grid, after which others may look for them; they fill one of [groups] parts of it. */
     fun sort(groups: Int) {
-        grid.begin(minOf(size.toLong() * groups * ROOM, MOST_SPHERES).toInt(), cells.fastest, frame.memberRadius)
+        grid.begin(minOf(size.toLong() * groups * ROOM, MOST_SPHERES).toInt(), cells.speeds.fastest, frame.memberRadius)
         for (piece in 0 until size) grid.add(piece)
     }
 

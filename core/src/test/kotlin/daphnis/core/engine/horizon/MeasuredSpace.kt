@@ -17,5 +17,5 @@ internal fun EpochSpace.measure(population: Population, boundary: BoundaryCondit
     val prepared = PreparedStep()
     prepared.measure(step, InlineLoop)
     frame.takeOver(step, population, prepared.reach, InlineLoop)
-    cells.measure(population)
+    cells.speeds.measure(population)
 }

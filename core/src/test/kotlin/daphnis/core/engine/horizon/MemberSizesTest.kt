@@ -75,7 +75,7 @@ class MemberSizesTest {
         val box = middle.let { Box(it - half, it - half, it - half, it + half, it + half, it + half) }
         val space = EpochSpace(InlineLoop)
         space.measure(p, Periodic(box), 0.1)
-        val limit = sizes.choose(p, space.frame, space.cells.rms, loop)
+        val limit = sizes.choose(p, space.frame, space.cells.speeds.rms, loop)
         space.frame.memberRadius = limit
         val tuning = HorizonTuning(2)
         assertTrue(space.frame.begin(tuning))
