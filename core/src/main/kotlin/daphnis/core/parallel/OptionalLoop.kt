@@ -8,9 +8,6 @@ internal class OptionalLoop(private val loop: RangeLoop) : RangeLoop by loop {
     /** Changed by the caller between two loops. */
     var isAlone = false
 
-    /** Whether loops of usual pieces that do not belong to the steps are the caller's, too; changed likewise. */
-    var isShort = false
-
     /** How many workers take part. */
     val active: Int get() = if (isAlone) 1 else workers
 
@@ -26,15 +23,8 @@ internal class OptionalLoop(private val loop: RangeLoop) : RangeLoop by loop {
         if (isAlone) loop.run(size, RangeLoop.WHOLE, body) else loop.runLight(size, body)
     }
 
-    /**
-     * For what does not belong to the steps: only loops that are light are left to the caller's thread, in a short run
-     * all but those that say how long their pieces are, such as those of a mesh.
-     */
+    /** For what does not belong to the steps: only loops that are light are left to the caller's thread. */
     val forOthers: RangeLoop = object : RangeLoop by loop {
-        override fun run(size: Int, body: RangeBody) {
-            if (isShort) loop.run(size, RangeLoop.WHOLE, body) else loop.run(size, body)
-        }
-
         override fun runLight(size: Int, body: RangeBody) {
             this@OptionalLoop.runLight(size, body)
         }

@@ -13,13 +13,12 @@ class OptionalLoopTest {
     }
 
     @Test
-    fun `the caller alone does the loops of steps, light loops of others, and in a short run their usual loops`() {
+    fun `the caller alone does the loops of steps, and light loops of others`() {
         FixedPool(2).use { pool ->
             val loop = OptionalLoop(ParallelLoop(pool, LoopStrategy.DYNAMIC))
             val others = loop.forOthers
-            for ((isAlone, isShort) in listOf(false to false, true to false, true to true)) {
+            for (isAlone in listOf(false, true)) {
                 loop.isAlone = isAlone
-                loop.isShort = isShort
                 fun check(isOne: Boolean, run: (RangeBody) -> Unit) {
                     val pieces = pieces(run)
                     if (isOne) assertEquals(1, pieces) else assertTrue(pieces > 5) { "$pieces pieces" }
@@ -28,7 +27,7 @@ class OptionalLoopTest {
                 check(isAlone) { loop.run(SIZE, 100, it) }
                 check(isAlone) { loop.runLight(SIZE, it) }
                 check(isAlone) { others.runLight(SIZE, it) }
-                check(isShort) { others.run(SIZE, it) }
+                check(false) { others.run(SIZE, it) }
                 check(false) { others.run(SIZE, 100, it) }
             }
         }

@@ -100,7 +100,6 @@ public class HorizonSteps internal constructor(
         val mayBeAlone = size < SHARED_SPHERES.toLong() * loop.workers || epoch.hasGiants
         judge = if (!isAlone && mayBeAlone) trial else null
         loop.isAlone = isAlone || judge?.isAlone == true
-        loop.isShort = isAlone
         judge?.begin()
         if (lists.take(step, beforeWriting)) {
             epoch.drop()
