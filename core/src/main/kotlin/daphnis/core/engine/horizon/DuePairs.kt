@@ -4,8 +4,8 @@ import daphnis.core.step.PreparedStep
 
 /**
  * Asks the pairs that are due whether they touch in the present step, and a sphere and the walls likewise: only
- * [contactTime][daphnis.core.collision.contactTime] decides that, from the numbers of the population, or of rows after a
- * collision. Collisions are queued; pairs that may touch in a later step only are filed in [calendar].
+ * [contactTime][daphnis.core.collision.contactTime] decides that, from the numbers of the population, or of rows after
+ * a collision. Collisions are queued; pairs that may touch in a later step only are filed in [calendar].
  */
 internal class DuePairs(
     private val prepared: PreparedStep,

@@ -113,7 +113,7 @@ internal class Epoch(
         isOpen && !calendars.areFull(spheres) && frame.continues(step, prepared.imagesOf(step))
 
     /**
-     * Carries the spheres of [carried] through [step], and writes them nowhere but to new columns; [addTo] and [finish] follow.
+     * Carries the spheres of [carried] through [step], and writes them nowhere but to new columns; [finish] follows.
      *
      * @param fixed how epochs are laid out; null for what should be quickest
      * @return the columns; null when the step is to be taken in another way; then nothing has changed

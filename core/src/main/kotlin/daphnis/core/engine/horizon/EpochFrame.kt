@@ -78,6 +78,7 @@ internal class EpochFrame {
             field = Lines.roundedUp(value).toDouble()
         }
 
+    /** Whether there are any. */
     val hasGiants: Boolean get() = largestRadius > memberRadius
 
     /** With a smaller [memberRadius] floats would be too coarse for lines. */

@@ -18,9 +18,9 @@ import daphnis.core.step.PreparedStep
  * searches in every step. In a dilute system the search is most of the work. Threads share the search and the passes
  * over all spheres by ranges, and the collisions of a step by groups of spheres that lie side by side.
  *
- * With few spheres for each thread it begins with the caller's thread alone, and finds out by trial whether several are
- * quicker ([SharingTrial]). Where [CollisionStep.toCome] says that a run is short, the serial engine takes its steps, and
- * two threads are one ([Prospect]).
+ * With few spheres for each thread, or with bodies among them, it begins with the caller's thread alone, and finds out by trial whether several are
+ * quicker ([SharingTrial]). Where [CollisionStep.toCome] says that a run is short, the serial engine takes its steps,
+ * and two threads are one ([Prospect]).
  *
  * In dense systems of few spheres it keeps neighbour lists from step to step instead, on the caller's thread
  * ([ListSteps]).
@@ -37,7 +37,8 @@ import daphnis.core.step.PreparedStep
  * @param fewest the least number of spheres with which epochs are made; 0 makes them wherever lines can be used, and
  *   shares all work among the threads, however little
  * @param tuning how epochs are laid out; null for what should be quickest
- * @param other takes the other steps, but those of short runs; closed with the engine; null for the serial engine, which has one thread
+ * @param other takes the other steps, but those of short runs; closed with the engine; null for the serial engine,
+ *   which has one thread
  */
 public class HorizonEngine internal constructor(
     private val handler: ThreadHandler,

@@ -217,6 +217,24 @@ class EpochPlanTest {
     }
 
     @Test
+    fun `where all leave their lines in each step there are epochs of one, if these pay`() {
+        gas(dt = 2.0)
+        val plan = EpochPlan()
+        repeat(100) { plan.ended(2, FEW, strays = 1.0, roamers = 0.0, isBroken = true) }
+        assertFalse(plan.rests())
+        assertEquals(1, choose(plan)!!.steps)
+    }
+
+    @Test
+    fun `a body among small spheres makes the steps of the serial engine longer`() {
+        fun otherwise(memberRadius: Double): Double {
+            space.frame.memberRadius = memberRadius
+            return EpochCost(size, space.frame, space.cells, ScalarFilter, 1, SeenWork()).otherwise()
+        }
+        assertTrue(otherwise(0.499) > 1.5 * otherwise(0.5))
+    }
+
+    @Test
     fun `where many are much faster than most, more of them have cells`() {
         for ((part, bound) in listOf(0 to 3.0, 100 to 3.0, 20 to 5.0)) {
             gas { k -> if (part > 0 && k % part == 0) 4.0 else 1.0 }

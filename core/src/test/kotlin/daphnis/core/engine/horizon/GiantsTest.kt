@@ -180,13 +180,13 @@ class GiantsTest {
     @Test
     fun `a patch of ring that is long as compared with its particles has epochs`() {
         val random = SeededRandom(1)
-        val spheres = Array(4096) {
+        val spheres = Array(16_384) {
             fun along(c: Int, n: Int, length: Double) = length * ((c + random.nextDouble(0.3, 0.7)) / n - 0.5)
             Sphere(
                 along(it % 4, 4, 10.0),
-                along(it / 4, 1024, 12_600.0),
+                along(it / 4, 4096, 12_600.0),
                 random.nextDouble(-0.3, 0.3),
-                vx = 0.01 * random.nextGaussian(),
+                vx = 0.02 * random.nextGaussian(),
                 r = 0.15,
             )
         }
@@ -199,6 +199,8 @@ class GiantsTest {
             horizon.advance()
             assertSameStep(serial, horizon, "step $step")
         }
+        val collisions = serial.collisions!!.counters.collisions
+        assertTrue(collisions > 500) { "$collisions collisions" }
         assertEquals(20L, engine.epochSteps)
         assertTrue(engine.epochs < 10) { "${engine.epochs} epochs" }
         engine.close()

@@ -40,7 +40,10 @@ class LongDraw(private val seed: Long, longer: Double = 1.0) {
     private val hasGiants = random.nextInt(3) == 0
     private val omega = random.nextDouble(0.02, 0.1)
     private val orbits = OrbitalFrequencies(omega, if (random.nextInt(2) == 0) 1.0 else 0.8, 1.5)
-    private val low = if (random.nextInt(3) == 0) random.nextDouble(-300.0, 300.0) else -apart * edge / 2
+
+    /** In some draws floats are hardly good enough for lines. */
+    private val farther = if (seed % 5 == 0L) 100.0 else 1.0
+    private val low = if (random.nextInt(3) == 0) random.nextDouble(-300.0, 300.0) * farther else -apart * edge / 2
     private val box = Box(low, low, low, low + apart * edge, low + apart * edge, low + apart * edge)
     val boundary: BoundaryConditions = when (random.nextInt(10)) {
         0 -> Open
