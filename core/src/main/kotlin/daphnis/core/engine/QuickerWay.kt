@@ -2,94 +2,156 @@ package daphnis.core.engine
 
 import java.util.function.LongSupplier
 
-/** How a step is taken. */
-internal enum class Way { SERIAL, OWN }
-
 /**
- * Finds out by trial whether an engine's own way of taking a step is worth its cost. It gives the same bits as the
- * serial way, so only the time depends on it. Where most collisions depend on one another, as around a moonlet on which
- * particles lie, the serial way is quicker.
+ * Finds out by trial in which of several ways steps are taken soonest. All give the same bits, so only the time depends
+ * on it, and that depends on what no plan knows: how long it takes to wake a thread, whether the machine gives it a
+ * processor, what has been compiled, how many collisions depend on one another.
  *
- * The serial way is tried now and then and compared with the quickest step of the own way since the last trial. The
- * quickest is right because other work of the machine makes single steps slow, never quick. When the serial way has
- * clearly won, the own way rests, and the more it lost by, the longer it rests.
+ * The present way is measured all the time. Now and then another is tried, for 20 ms and two stretches of steps that
+ * belong together, and the one with the shorter steps goes on. A way that has won is tried against the one before
+ * soon, and one that loses waits twice as long each time.
  *
- * A step begins with [choose] and ends with [finish], with [giveUp], or with neither when it fails.
+ * ```
+ *   A ──▶ B? ──▶ A ──────▶ B? ──▶ B ──▶ A? ──▶ B ──────▶ A? ──▶ …
+ *         slower           quicker      slower
+ * ```
  *
+ * A step begins with [choose] and ends with [finish] or [giveUp], or with neither when it fails.
+ *
+ * @param waits nanoseconds that the present way lasts before each of the ways, which are numbered from 0 on, is tried
+ *   for the first time
  * @param clock in nanoseconds, from any moment
  */
-internal class QuickerWay(private val clock: LongSupplier = LongSupplier { System.nanoTime() }) {
-    private var steps = 0L
-    private var way = Way.OWN
+internal class QuickerWay(waits: LongArray, private val clock: LongSupplier = LongSupplier { System.nanoTime() }) {
+    /** How the step is taken that was begun last. */
+    var way = NONE
+        private set
+
+    /** The way that has won; another is being tried where that is not [way]. */
+    private var winner = NONE
+
+    /** The ways that the present step can be taken in. */
+    private var allowed = IntArray(0)
     private var begin = 0L
 
-    /** Nanoseconds of the quickest step of the own way since the last trial of the serial way. */
-    private var own = UNMEASURED
+    /** Nanoseconds after which the present step is late. */
+    private var patience = Double.POSITIVE_INFINITY
 
-    /** Nanoseconds of the last trial of the serial way, or of the quickest step of the rest that followed. */
-    private var serial = UNMEASURED
-    private var restUntil = 0L
+    // Nanoseconds, steps and stretches that have been measured last, all in one way; none before a stretch begins.
+    private var time = 0L
+    private var steps = 0
+    private var stretches = 0
 
-    /** Nanoseconds after which a step of the own way is to be given up, [NEVER] at first. */
-    private var patience = NEVER
+    /** Nanoseconds per step of each way, as measured last. */
+    private val known = DoubleArray(waits.size) { Double.POSITIVE_INFINITY }
 
-    /** Begins a step and returns how it is to be taken. */
-    fun choose(): Way {
-        val step = steps++
-        way = if (step < restUntil || step % STEPS_PER_TRIAL == TRIAL) Way.SERIAL else Way.OWN
-        patience = if (way == Way.SERIAL || serial == UNMEASURED) NEVER else maxOf(serial * MOST_LOSS, LEAST_PATIENCE)
+    /** Nanoseconds of the winner until each way is tried, and how long that was to take. */
+    private val left = waits.copyOf()
+    private val spell = LongArray(waits.size) { MEASURED }
+
+    /**
+     * Begins a step, which can be taken in the [allowed] ways only. When these change, the first of them is taken until
+     * another has won.
+     *
+     * @return the way to take it
+     */
+    fun choose(allowed: IntArray): Int {
+        if (!allowed.contentEquals(this.allowed)) {
+            this.allowed = allowed
+            winner = allowed[0]
+            turnTo(winner)
+        }
+        patience = maxOf(MOST_LOSS * (quickestOther()?.let { known[it] } ?: Double.POSITIVE_INFINITY), LEAST_PATIENCE)
         begin = clock.asLong
         return way
     }
 
-    /** Whether the own way takes so long in the present step that it is to be given up. */
-    val isLate: Boolean get() = patience != NEVER && clock.asLong - begin > patience
+    /** Whether the present step takes far longer than in another way, so that it is better given up. */
+    val isLate: Boolean get() = clock.asLong - begin > patience
 
-    /** Ends a step that was taken in the way which [choose] returned. */
-    fun finish() {
-        val time = clock.asLong - begin
-        if (way == Way.OWN) {
-            own = minOf(own, time)
-        } else if (steps <= restUntil) {
-            // At rest: the quickest of these steps gives the patience for the next trial of the own way.
-            serial = minOf(serial, time)
-        } else {
-            serial = time
-            if (own != UNMEASURED && own > serial * CLEARLY) rest(own.toDouble() / serial)
-            own = UNMEASURED
+    /** Ends a step with which a stretch [begins], or which belongs to the stretch before. */
+    fun finish(begins: Boolean) {
+        val taken = clock.asLong - begin
+        if (begins) {
+            val before = way
+            if (stretches >= LEAST_STRETCHES && time >= MEASURED) judge()
+            // A stretch that began in another way is not measured.
+            if (way == before) stretches++
         }
+        if (stretches == 0) return
+        time += taken
+        steps++
     }
 
-    /** Ends a step in which the own way was given up. */
+    /** Ends a step that was given up, and was then taken in another way. */
     fun giveUp() {
-        rest(MOST_LOSS.toDouble())
-        own = UNMEASURED
+        val taken = clock.asLong - begin
+        if (way == winner) winner = quickestOther() ?: return
+        lose(taken)
     }
 
-    private fun rest(worse: Double) {
-        restUntil = steps + (STEPS_PER_TRIAL * minOf(worse, MOST_LOSS.toDouble())).toLong()
+    private fun judge() {
+        val perStep = time.toDouble() / steps
+        known[way] = perStep
+        when {
+            way == winner -> goOn()
+            perStep < known[winner] * CLEARLY -> win()
+            else -> lose(time)
+        }
+        forget()
     }
+
+    /** The winner goes on, or another way is to be tried. */
+    private fun goOn() {
+        for (w in allowed) left[w] -= time
+        way = allowed.filter { it != winner && left[it] <= 0 }.minByOrNull { left[it] } ?: winner
+    }
+
+    private fun win() {
+        left[winner] = AFTER_CHANGE
+        spell[winner] = AFTER_CHANGE
+        winner = way
+    }
+
+    /** The present way has lost, after it was [tried] for so long. */
+    private fun lose(tried: Long) {
+        spell[way] = maxOf(minOf(2 * spell[way], LONGEST), tried * TIMES_A_TRIAL)
+        left[way] = spell[way]
+        turnTo(winner)
+    }
+
+    private fun turnTo(way: Int) {
+        this.way = way
+        forget()
+    }
+
+    private fun forget() {
+        time = 0
+        steps = 0
+        stretches = 0
+    }
+
+    private fun quickestOther(): Int? = allowed.filter { it != way }.minByOrNull { known[it] }
 
     companion object {
-        /** In place of a shortest time, where there was none to measure: every time is shorter. */
-        private const val UNMEASURED = Long.MAX_VALUE
+        private const val NONE = -1
 
-        /** A patience that no time exceeds. */
-        private const val NEVER = Long.MAX_VALUE
+        /** Nanoseconds, and stretches, that are measured at least. */
+        const val MEASURED = 20_000_000L
+        private const val LEAST_STRETCHES = 2
 
-        /** One of so many steps is taken the serial way to try it. */
-        const val STEPS_PER_TRIAL = 64L
+        /** Nanoseconds that a way lasts when it has just won, and at most, but for trials that are long themselves. */
+        const val AFTER_CHANGE = 4 * MEASURED
+        const val LONGEST = 128 * MEASURED
+        private const val TIMES_A_TRIAL = 8
 
-        /** Which of them that is. */
-        const val TRIAL = 8L
+        /** How much shorter the steps of another way must be. */
+        private const val CLEARLY = 0.97
 
-        /** How much slower the own way may be than the serial way before it rests. */
-        private const val CLEARLY = 1.25
-
-        /** In units of the serial way's time; an own way that takes longer is given up. */
-        private const val MOST_LOSS = 4L
+        /** In units of another way's time; what takes longer is given up. */
+        private const val MOST_LOSS = 4.0
 
         /** Nanoseconds. */
-        const val LEAST_PATIENCE = 20_000_000L
+        const val LEAST_PATIENCE = 2e7
     }
 }

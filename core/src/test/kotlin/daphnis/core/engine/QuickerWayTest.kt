@@ -1,8 +1,9 @@
 package daphnis.core.engine
 
+import daphnis.core.engine.QuickerWay.Companion.AFTER_CHANGE
 import daphnis.core.engine.QuickerWay.Companion.LEAST_PATIENCE
-import daphnis.core.engine.QuickerWay.Companion.STEPS_PER_TRIAL
-import daphnis.core.engine.QuickerWay.Companion.TRIAL
+import daphnis.core.engine.QuickerWay.Companion.LONGEST
+import daphnis.core.engine.QuickerWay.Companion.MEASURED
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -10,63 +11,157 @@ import org.junit.jupiter.api.Test
 
 class QuickerWayTest {
     private var now = 0L
-    private val quicker = QuickerWay { now }
+    private val quicker = QuickerWay(longArrayOf(MEASURED, MEASURED)) { now }
+    private val both = intArrayOf(0, 1)
 
-    /** Takes a step that lasts as long as its way does, and says which way it was. */
-    private fun step(islands: Long, serial: Long): Way {
-        val way = quicker.choose()
-        now += if (way == Way.OWN) islands else serial
-        quicker.finish()
+    /** Takes a step of which each way takes so long, and returns the way in which it was taken. */
+    private fun step(vararg times: Long, begins: Boolean = true, of: QuickerWay = quicker): Int {
+        val way = of.choose(times.indices.toList().toIntArray())
+        now += times[way]
+        of.finish(begins)
         return way
     }
 
-    private fun steps(count: Long, islands: Long, serial: Long) = List(count.toInt()) { step(islands, serial) }
+    private fun steps(count: Int, vararg times: Long, of: QuickerWay = quicker) = List(count) { step(*times, of = of) }
 
-    private fun List<Way>.serialAt() = indices.filter { this[it] == Way.SERIAL }
-
-    @Test
-    fun `islands that are quicker are taken but for one trial in 64 steps`() {
-        assertEquals(listOf(8, 72, 136), steps(3 * STEPS_PER_TRIAL, islands = 1000, serial = 4000).serialAt())
+    /** Lengths of the stretches of one way after the other. */
+    private fun List<Int>.stretches(): List<Int> {
+        val changes = indices.filter { it > 0 && this[it] != this[it - 1] }
+        return (listOf(0) + changes + size).zipWithNext { a, b -> b - a }
     }
 
     @Test
-    fun `islands that are a little slower are taken all the same`() {
-        assertEquals(listOf(8, 72), steps(2 * STEPS_PER_TRIAL, islands = 1250, serial = 1000).serialAt())
+    fun `a slower way is tried ever more seldom, for two stretches or 20 ms each time`() {
+        val ways = steps(4000, MEASURED / 10, MEASURED / 8)
+        assertEquals(0, ways[0])
+        // 1 time what is measured, then 8 and 16 times what a trial took, 2, 4 … times; and a step for each change.
+        val stretches = ways.stretches()
+        assertEquals(listOf(11, 9), stretches.take(2))
+        val spells = stretches.dropLast(1).filterIndexed { k, _ -> k % 2 == 0 }
+        assertTrue(spells.zipWithNext().all { (a, b) -> b >= a }) { "$stretches" }
+        assertEquals((LONGEST / MEASURED * 10 + 1).toInt(), spells.max()) { "$stretches" }
     }
 
     @Test
-    fun `islands that are clearly slower rest, the longer the more they lost`() {
-        // Twice as slow: 128 steps of rest after the trial; then as many in islands as there are until the next one.
-        assertEquals((8..136).toList(), steps(137, islands = 2000, serial = 1000).serialAt())
-        assertEquals(Way.OWN, step(2000, 1000))
-        // After a rest of its own length a trial at step 200 finds the same.
-        assertEquals((62..190).toList(), steps(191, islands = 2000, serial = 1000).serialAt())
+    fun `a trial that takes long makes the way wait for eight times as long`() {
+        // Two stretches of a second each: 16 s, however often it has lost.
+        val ways = steps(120, 500_000_000, 1_000_000_000)
+        val stretches = ways.stretches()
+        assertTrue(stretches.drop(2).dropLast(1).filterIndexed { k, _ -> k % 2 == 0 }.all { it in 33..50 }) { "$stretches" }
+        assertTrue(stretches.size >= 5) { "$stretches" }
     }
 
     @Test
-    fun `the rest is no longer than four times the loss allows`() {
-        steps(TRIAL, islands = 1_000_000, serial = 1)
-        val ways = steps(1 + 4 * STEPS_PER_TRIAL + 1, islands = 1_000_000, serial = 1)
-        assertEquals(ways.indices.toList().dropLast(1), ways.serialAt())
+    fun `a way that is quicker takes nearly all steps`() {
+        val ways = steps(4000, MEASURED / 8, MEASURED / 10)
+        assertTrue(ways.count { it == 1 } > 3700) { "${ways.stretches()}" }
+        // The one before is tried against it soon.
+        assertEquals(listOf(9, 10 + (AFTER_CHANGE / MEASURED * 10).toInt() + 1), ways.stretches().take(2))
     }
 
     @Test
-    fun `the quickest step in islands counts, not one that something else made slow`() {
-        repeat(TRIAL.toInt()) { step(if (it == 3) 1000 else 100_000, 1000) }
-        assertEquals(Way.SERIAL, step(0, 1000))
-        assertEquals(Way.OWN, step(1000, 1000))
+    fun `of three ways the quickest wins, wherever it stands`() {
+        for (best in 0..2) {
+            val times = LongArray(3) { if (it == best) 1_000_000 else 1_500_000L + it }
+            val three = QuickerWay(LongArray(3) { MEASURED }) { now }
+            val ways = steps(8000, *times, of = three)
+            assertEquals(setOf(0, 1, 2), ways.toSet())
+            assertTrue(ways.takeLast(7000).count { it == best } > 6300) { "${ways.stretches()}" }
+        }
     }
 
     @Test
-    fun `patience has no end before the first trial, and four times its length afterwards`() {
-        quicker.choose()
+    fun `what is not allowed is neither tried nor kept`() {
+        val three = QuickerWay(LongArray(3) { MEASURED }) { now }
+        var third = 0
+        repeat(2000) {
+            // The last way is far quicker, where it is allowed.
+            val allowed = if (it in 500 until 1000) intArrayOf(0, 1, 2) else intArrayOf(1, 0)
+            val way = three.choose(allowed)
+            assertTrue(way in allowed)
+            if (way == 2) third++
+            now += if (way == 2) 100_000 else 1_000_000
+            three.finish(begins = true)
+            if (it == 0 || it == 1000) assertEquals(1, way)
+        }
+        assertTrue(third > 300) { "$third" }
+    }
+
+    @Test
+    fun `a way is first tried when it is to be`() {
+        val late = QuickerWay(longArrayOf(MEASURED, 50 * MEASURED)) { now }
+        val ways = steps(2000, MEASURED / 10, MEASURED / 100, of = late)
+        assertEquals(501, ways.indexOf(1))
+    }
+
+    @Test
+    fun `what is hardly quicker does not win`() {
+        assertTrue(steps(2000, 100_000, 98_000).count { it == 0 } > 1000)
+    }
+
+    @Test
+    fun `when things change, so does the way`() {
+        assertTrue(steps(3000, 1_000_000, 2_000_000).takeLast(100).count { it == 0 } > 75)
+        // However long the present way may last, in some seconds the other is asked.
+        val later = steps(8000, 1_000_000, 500_000)
+        assertTrue(later.indexOfFirst { it == 1 } < 2600) { "${later.stretches()}" }
+        assertTrue(later.takeLast(4000).count { it == 1 } > 3600) { "${later.stretches()}" }
+    }
+
+    @Test
+    fun `whole stretches are compared, and none that began in the other way`() {
+        // The first step of a stretch takes as long as the others together, so that parts would mislead.
+        val length = 8
+        var way = 0
+        var changes = 0
+        var last = -2 * length
+        for (step in 0 until 4000) {
+            val next = quicker.choose(both)
+            if (next != way) {
+                changes++
+                assertTrue(step - last >= 2 * length) { "after ${step - last} steps" }
+                last = step
+                way = next
+                // It changes after the first step of a stretch.
+                assertEquals(1, step % length) { "step $step" }
+            }
+            now += (if (step % length == 0) 7_000_000L else 1_000_000L) * (if (way == 0) 4 else 5)
+            quicker.finish(begins = step % length == 0)
+        }
+        assertTrue(changes in 6..60) { "$changes" }
+        assertTrue(way == 0 || changes % 2 == 1)
+    }
+
+    @Test
+    fun `steps that are slower and slower do not make a way win that is as slow`() {
+        // The present way is judged by its last 20 ms, not by all of a long spell.
+        var cost = 1_000_000.0
+        var other = 0
+        repeat(6000) {
+            other += step(cost.toLong(), (1.02 * cost).toLong())
+            cost *= 0.9998
+        }
+        assertTrue(other < 600) { "$other" }
+    }
+
+    @Test
+    fun `a step that fails is not measured`() {
+        steps(5, 1_000_000, 1_000_000)
+        quicker.choose(both)
+        now += 100 * MEASURED
+        assertTrue(steps(10, 1_000_000, 1_000_000).all { it == 0 })
+        assertFalse(steps(30, 1_000_000, 1_000_000).all { it == 0 })
+    }
+
+    @Test
+    fun `patience has no end before another way is known, and four times its length afterwards`() {
+        quicker.choose(both)
         now += Long.MAX_VALUE / 2
         assertFalse(quicker.isLate)
-        quicker.finish()
-        val serial = LEAST_PATIENCE
-        steps(TRIAL, islands = serial, serial = serial)
-        assertEquals(Way.OWN, quicker.choose())
-        now += 4 * serial
+        val time = MEASURED
+        assertTrue(steps(9, time, time).toSet() == setOf(0, 1))
+        quicker.choose(both)
+        now += 4 * time
         assertFalse(quicker.isLate)
         now++
         assertTrue(quicker.isLate)
@@ -74,40 +169,31 @@ class QuickerWayTest {
 
     @Test
     fun `patience is never less than 20 ms`() {
-        steps(TRIAL + 1, islands = 10, serial = 10)
-        quicker.choose()
-        now += 20_000_000
-        assertFalse(quicker.isLate)
+        val eager = QuickerWay(longArrayOf(1, 1)) { now }
+        steps(5 * MEASURED.toInt() / 10_000, 10_000, 10_000, of = eager)
+        eager.choose(both)
+        now += LEAST_PATIENCE.toLong()
+        assertFalse(eager.isLate)
         now++
-        assertTrue(quicker.isLate)
+        assertTrue(eager.isLate)
     }
 
     @Test
-    fun `the serial way is never late`() {
-        steps(TRIAL, islands = 10, serial = 10)
-        assertEquals(Way.SERIAL, quicker.choose())
-        now += Long.MAX_VALUE / 2
-        assertFalse(quicker.isLate)
-    }
-
-    @Test
-    fun `islands that were given up rest for 256 steps, and the next trial has the patience of the rest's quickest`() {
-        steps(TRIAL + 1, islands = 10, serial = 1_000_000_000)
-        quicker.choose()
-        quicker.giveUp()
-        val rest = List(256) { step(0, if (it == 100) 10_000_000 else 1_000_000_000) }
-        assertEquals(setOf(Way.SERIAL), rest.toSet())
-        assertEquals(Way.OWN, quicker.choose())
-        now += 40_000_000
-        assertFalse(quicker.isLate)
-        now++
-        assertTrue(quicker.isLate)
-    }
-
-    @Test
-    fun `a step that fails leaves no trace but its turn`() {
-        repeat(TRIAL.toInt()) { quicker.choose() }
-        assertEquals(Way.SERIAL, quicker.choose())
-        assertEquals(Way.OWN, quicker.choose())
+    fun `a way that is given up is not taken soon, whether it had won or was tried`() {
+        for (hasWon in listOf(true, false)) {
+            val two = QuickerWay(longArrayOf(MEASURED, MEASURED)) { now }
+            steps(9, MEASURED, MEASURED, of = two)
+            // The first way has won; the second is being tried now and then.
+            while (two.choose(both) != (if (hasWon) 0 else 1)) {
+                now += MEASURED
+                two.finish(begins = true)
+            }
+            now += 10 * MEASURED
+            assertTrue(two.isLate)
+            two.giveUp()
+            val other = if (hasWon) 1 else 0
+            assertEquals(List(80) { other }, steps(80, MEASURED, MEASURED, of = two))
+            assertTrue(steps(10, MEASURED, MEASURED, of = two).toSet().size == 2)
+        }
     }
 }

@@ -80,14 +80,8 @@ internal class EpochCost(
         return JOINING * borders * collisions * clustering * clustering
     }
 
-    /** In steps that are not part of an epoch. */
-    fun otherwise(): Double {
-        val serial = serial()
-        return if (threads == 1 || spheres < ISLANDS_FROM) serial else serial * ISLANDS / threads
-    }
-
-    /** Of the serial engine, which sets [serialCollision]. */
-    private fun serial(): Double {
+    /** In the serial engine's steps; sets [serialCollision]. */
+    fun serial(): Double {
         look(dt, SERIAL_ALONG, SERIAL_ACROSS) { 2 * radius + cells.speeds.fastest[it] * dt }
         val search = if (frame.hasGiants) SEARCH + CLASSES else SEARCH
         val ahead = search + (ROW * rows + TEST * tests) / 2
@@ -172,12 +166,6 @@ internal class EpochCost(
 
         /** What groups cost more than one thread before threads share it. */
         private const val GROUPS = 1.15
-
-        /** What islands cost more than the serial engine before threads share it. */
-        private const val ISLANDS = 1.2
-
-        /** Spheres from which on that is so. With fewer, islands gain little in gases in which epochs may pay. */
-        private const val ISLANDS_FROM = 20_000
 
         /** Cells in the length that a pair can bridge, in the serial engine's grid. */
         private const val SERIAL_ALONG = 4.0

@@ -3,7 +3,7 @@ package daphnis.core.engine.horizon
 /**
  * Chooses how long epochs are, how fine their cells, and whether they pay at all, from the work that is expected: a
  * model of how many lines and rows of cells a search looks at, corrected by what the last epoch has measured. The clock
- * is not asked here, but may decide how many threads are planned for ([SharingTrial]).
+ * is not asked here, but may decide how many threads are planned for ([daphnis.core.engine.QuickerWay]).
  *
  * A longer epoch shares its search for all among more steps. But that search, and those after collisions, look farther,
  * and spheres on curved paths leave their lines.
@@ -57,7 +57,7 @@ internal class EpochPlan {
         val bound = if (cells.speeds.fastShare > MANY_FAST) WIDE_BOUND else CLASS_BOUND
         val cost = EpochCost(spheres, frame, cells, filter, threads, seen)
         this.cost = cost
-        least = WORTH * cost.otherwise()
+        least = WORTH * cost.serial()
         best = null
         // Only groups that share collisions can tell whether they are less entangled now.
         if (!sharesCollisions) seen.entanglement = maxOf(CALMING * seen.entanglement, LEAST_ENTANGLEMENT)
@@ -94,7 +94,7 @@ internal class EpochPlan {
         val expected = cost.of(fixed.steps, fixed.windows, fixed.classBound, fixed.cellsAlong, fixed.cellsAcross)
         expectedTests = cost.testsAhead
         sharesCollisions = true
-        return if (always || expected <= MOST * cost.otherwise()) begins(fixed) else refused()
+        return if (always || expected <= MOST * cost.serial()) begins(fixed) else refused()
     }
 
     /**

@@ -2,6 +2,7 @@ package daphnis.core.engine.horizon
 
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.EndsFinite
+import daphnis.core.engine.QuickerWay
 import daphnis.core.engine.SerialEngine
 import daphnis.core.engine.lists.ListSteps
 import daphnis.core.engine.lists.ListTuning
@@ -18,8 +19,8 @@ import daphnis.core.step.PreparedStep
  * searches in every step. In a dilute system the search is most of the work. Threads share the search and the passes
  * over all spheres by ranges, and the collisions of a step by groups of spheres that lie side by side.
  *
- * With few spheres for each thread, or with bodies among them, it begins with the caller's thread alone, and finds out by trial whether several are
- * quicker ([SharingTrial]). Where [CollisionStep.toCome] says that a run is short, the serial engine takes its steps,
+ * It finds out by trial whether another engine is quicker ([QuickerWay]), and, with few spheres for each thread or with
+ * bodies among them, whether several threads are quicker than the caller's alone, with which it begins. Where [CollisionStep.toCome] says that a run is short, the serial engine takes its steps,
  * and two threads are one ([Prospect]).
  *
  * In dense systems of few spheres it keeps neighbour lists from step to step instead, on the caller's thread
@@ -46,7 +47,7 @@ public class HorizonEngine internal constructor(
     internal val tuning: HorizonTuning?,
     filter: LineFilter,
     lists: ListTuning,
-    trial: SharingTrial?,
+    quicker: QuickerWay?,
     other: CollisionEngine?,
 ) : CollisionEngine,
     EndsFinite {
@@ -63,7 +64,7 @@ public class HorizonEngine internal constructor(
             tuning,
             LineFilter.BEST,
             HorizonSteps.listsFor(handler.threads, fewest, tuning),
-            HorizonSteps.trialFor(handler.threads, fewest, tuning),
+            HorizonSteps.trialFor(fewest, tuning),
             other,
         )
 
@@ -76,7 +77,7 @@ public class HorizonEngine internal constructor(
     private val alone = SerialEngine(prepared = prepared)
     private val other = other ?: alone
     private val prospect = if (fewest > 0 && tuning == null) Prospect() else null
-    private val steps = HorizonSteps(gate, fewest, tuning, filter, prepared, lists, trial, prospect)
+    private val steps = HorizonSteps(gate, fewest, tuning, filter, prepared, lists, quicker, prospect)
     private val epoch = steps.epoch
 
     /** How dense steps of few spheres are taken. */

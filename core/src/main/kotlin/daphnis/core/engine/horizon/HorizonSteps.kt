@@ -1,6 +1,7 @@
 package daphnis.core.engine.horizon
 
 import daphnis.core.api.EngineApi
+import daphnis.core.engine.QuickerWay
 import daphnis.core.engine.lists.ListSteps
 import daphnis.core.engine.lists.ListTuning
 import daphnis.core.parallel.OptionalLoop
@@ -8,6 +9,7 @@ import daphnis.core.parallel.RangeBody
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.step.CollisionStep
 import daphnis.core.step.PreparedStep
+import java.util.function.LongSupplier
 
 /**
  * Takes steps in epochs, which look ahead over several of them, where that should be quicker, for an engine that takes
@@ -28,7 +30,8 @@ import daphnis.core.step.PreparedStep
  * @param fewest the least number of spheres with which epochs are made; 0 makes them wherever lines can be used, and
  *   shares all work among the workers, however little
  * @param tuning how epochs are laid out; null for what should be quickest
- * @param trial finds out whether one thread alone is quicker; null where all share every step
+ * @param quicker finds out in which way steps are taken soonest; null where all workers share every step in
+ *   epochs that the plan expects to be quick
  * @param prospect says whether there is enough to do; null where there is
  */
 @EngineApi
@@ -39,7 +42,7 @@ public class HorizonSteps internal constructor(
     filter: LineFilter,
     internal val prepared: PreparedStep,
     lists: ListTuning,
-    private val trial: SharingTrial?,
+    private val quicker: QuickerWay?,
     private val prospect: Prospect?,
 ) {
     @JvmOverloads
@@ -51,7 +54,7 @@ public class HorizonSteps internal constructor(
             LineFilter.BEST,
             PreparedStep(),
             listsFor(loop.workers, fewest, tuning),
-            trialFor(loop.workers, fewest, tuning),
+            trialFor(fewest, tuning),
             null,
         )
 
@@ -77,8 +80,8 @@ public class HorizonSteps internal constructor(
     private var before = 0L
     private var begun = 0L
 
-    /** The [trial], if one thread alone may be quicker in the present step. */
-    private var judge: SharingTrial? = null
+    /** [quicker], if the present step may be taken in several ways. */
+    private var judge: QuickerWay? = null
 
     /**
      * Takes [step], if that should be quicker here.
@@ -96,15 +99,18 @@ public class HorizonSteps internal constructor(
         prospect?.look(step)
         val isAlone = loop.workers <= 2 && prospect?.isVeryLong == false
         isShort = isAlone || prospect?.isLong == false
-        // Giants keep their lines on one thread only.
-        val mayBeAlone = size < SHARED_SPHERES.toLong() * loop.workers || epoch.hasGiants
-        judge = if (!isAlone && mayBeAlone) trial else null
-        loop.isAlone = isAlone || judge?.isAlone == true
-        judge?.begin()
+        judge = if (prospect?.isLong == false) null else quicker
+        val way = judge?.choose(waysOf(step, isAlone))
+        loop.isAlone = isAlone || way == ALONE
+        if (way == OTHER) {
+            lists.drop()
+            epoch.drop()
+            return false
+        }
         if (lists.take(step, beforeWriting)) {
             epoch.drop()
             prospect?.passed(step, step.counters.collisions - before)
-            judge?.finish(beganEpoch = true)
+            judge?.finish(begins = true)
             return true
         }
         filters.passed(size)
@@ -126,7 +132,7 @@ public class HorizonSteps internal constructor(
         epoch.addTo(step.counters)
         steps++
         prospect?.passed(step, step.counters.collisions - before)
-        judge?.finish(beganEpoch = epoch.tally.begun > begun)
+        judge?.finish(begins = epoch.tally.begun > begun)
         return true
     }
 
@@ -137,7 +143,15 @@ public class HorizonSteps internal constructor(
         val collisions = step.counters.collisions - before
         if (size > 0) epoch.plan.observe(collisions.toDouble() / size)
         prospect?.passed(step, collisions)
-        judge?.finish(beganEpoch = true)
+        judge?.finish(begins = true)
+    }
+
+    /** The ways in which [step] may be taken, by one worker only where it [isAlone]; the first is where to begin. */
+    private fun waysOf(step: CollisionStep, isAlone: Boolean): IntArray = when {
+        loop.workers == 1 || isAlone -> FOR_ONE
+        // Giants keep their lines on one thread only.
+        step.population.size < SHARED_SPHERES.toLong() * loop.workers || epoch.hasGiants -> FOR_FEW
+        else -> FOR_MANY
     }
 
     /** A loop of small pieces, unless it is to be one. */
@@ -171,8 +185,23 @@ public class HorizonSteps internal constructor(
         internal fun listsFor(threads: Int, fewest: Int, tuning: HorizonTuning?): ListTuning =
             if (fewest > 0 && tuning == null) ListTuning.best(threads) else ListTuning.NEVER
 
-        /** Where one thread alone may be quicker, unless somebody wants epochs. */
-        internal fun trialFor(threads: Int, fewest: Int, tuning: HorizonTuning?): SharingTrial? =
-            if (threads > 1 && fewest > 0 && tuning == null) SharingTrial(isAlone = true) else null
+        // Ways of taking a step: as another engine does, and in epochs or by lists, on one thread or shared.
+        internal const val OTHER = 0
+        internal const val ALONE = 1
+        internal const val SHARED = 2
+        private val FOR_ONE = intArrayOf(ALONE, OTHER)
+        private val FOR_FEW = intArrayOf(ALONE, SHARED, OTHER)
+        private val FOR_MANY = intArrayOf(SHARED, OTHER)
+
+        /** Nanoseconds until each way is tried: in the first two seconds most of an epoch has not been compiled. */
+        private val WAITS = longArrayOf(2_000_000_000, QuickerWay.MEASURED, QuickerWay.MEASURED)
+
+        /** What finds out the quickest way, unless somebody wants epochs. */
+        internal fun trialFor(
+            fewest: Int,
+            tuning: HorizonTuning?,
+            waits: LongArray = WAITS,
+            clock: LongSupplier = LongSupplier { System.nanoTime() },
+        ): QuickerWay? = if (fewest > 0 && tuning == null) QuickerWay(waits, clock) else null
     }
 }

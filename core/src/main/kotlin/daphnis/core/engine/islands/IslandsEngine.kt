@@ -3,7 +3,6 @@ package daphnis.core.engine.islands
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.QuickerWay
 import daphnis.core.engine.SerialEngine
-import daphnis.core.engine.Way
 import daphnis.core.parallel.ClosableLoop
 import daphnis.core.parallel.FixedPool
 import daphnis.core.parallel.LoopStrategy
@@ -47,7 +46,7 @@ public class IslandsEngine @JvmOverloads constructor(
     public val workers: IslandWorkers = IslandWorkers(field, threads)
 
     private val alone = SerialEngine(prepared = prepared)
-    private val quicker = QuickerWay()
+    private val quicker = QuickerWay(longArrayOf(QuickerWay.MEASURED, QuickerWay.MEASURED))
     private var failed = false
 
     override fun advance(step: CollisionStep) {
@@ -56,14 +55,14 @@ public class IslandsEngine @JvmOverloads constructor(
             alone.advance(step)
         } else if (fewest == 0) {
             if (!grow(step)) goAlone(step)
-        } else if (quicker.choose() == Way.SERIAL) {
+        } else if (quicker.choose(WAYS) == SERIAL) {
             alone.advance(step)
-            quicker.finish()
+            quicker.finish(begins = true)
         } else if (grow(step)) {
-            quicker.finish()
+            quicker.finish(begins = true)
         } else {
-            quicker.giveUp()
             goAlone(step)
+            quicker.giveUp()
         }
     }
 
@@ -169,6 +168,11 @@ public class IslandsEngine @JvmOverloads constructor(
 
     internal companion object {
         private const val LATE = -1
+
+        // Ways of taking a step.
+        private const val SERIAL = 0
+        private const val GROWN = 1
+        private val WAYS = intArrayOf(GROWN, SERIAL)
 
         /** Spheres from which on islands can pay. */
         const val WORTH_SPHERES = 10_000

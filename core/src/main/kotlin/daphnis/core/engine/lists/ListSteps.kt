@@ -106,6 +106,11 @@ internal class ListSteps(
         return true
     }
 
+    /** A step is taken in another way without asking. */
+    fun drop() {
+        isOpen = false
+    }
+
     private fun rests(): Boolean {
         rest = REST
         return false

@@ -227,11 +227,11 @@ class EpochPlanTest {
 
     @Test
     fun `a body among small spheres makes the steps of the serial engine longer`() {
-        fun otherwise(memberRadius: Double): Double {
+        fun serial(memberRadius: Double): Double {
             space.frame.memberRadius = memberRadius
-            return EpochCost(size, space.frame, space.cells, ScalarFilter, 1, SeenWork()).otherwise()
+            return EpochCost(size, space.frame, space.cells, ScalarFilter, 1, SeenWork()).serial()
         }
-        assertTrue(otherwise(0.499) > 1.5 * otherwise(0.5))
+        assertTrue(serial(0.499) > 1.5 * serial(0.5))
     }
 
     @Test

@@ -12,7 +12,10 @@ import daphnis.core.engine.CollisionForcing
 import daphnis.core.engine.CoreEngines
 import daphnis.core.engine.Draws
 import daphnis.core.engine.FixedThreads
+import daphnis.core.engine.QuickerWay
+import daphnis.core.engine.QuickerWay.Companion.MEASURED
 import daphnis.core.engine.SerialEngine
+import daphnis.core.engine.horizon.HorizonSteps.Companion.SHARED
 import daphnis.core.engine.assertSameStep
 import daphnis.core.engine.failure
 import daphnis.core.engine.islands.IslandsEngine
@@ -31,6 +34,7 @@ import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import java.util.concurrent.atomic.AtomicInteger
+import java.util.function.LongSupplier
 
 class HorizonEngineTest {
     @Test
@@ -237,8 +241,8 @@ class HorizonEngineTest {
         val serial = gas(SerialEngine(), apart = 4.0, layers = 400)
         // A clock by which each step takes half of what is measured: the ways change all the time.
         var now = 0L
-        val trial = SharingTrial(isAlone = true) {
-            now += SharingTrial.MEASURED / 2
+        val trial = trial(Long.MAX_VALUE) {
+            now += MEASURED / 2
             now
         }
         val engine = HorizonEngine(
@@ -255,7 +259,7 @@ class HorizonEngineTest {
         gas(engine, apart = 4.0, layers = 400).use { simulation ->
             while (simulation.step < 80) {
                 val before = engine.shared.steps
-                val isAlone = trial.isAlone
+                val isAlone = trial.way != SHARED
                 simulation.advance()
                 serial.advance()
                 assertTrue(!isAlone || engine.shared.steps == before)
@@ -275,8 +279,8 @@ class HorizonEngineTest {
         // Dense enough for lists, and for another engine where there are none.
         for (lists in listOf(ListTuning.ALWAYS, ListTuning.NEVER)) {
             var now = 0L
-            val trial = SharingTrial(isAlone = true) {
-                now += SharingTrial.MEASURED
+            val trial = trial(Long.MAX_VALUE) {
+                now += MEASURED
                 now
             }
             val engine = HorizonEngine(FixedPool(2), HorizonSteps.WORTH_SPHERES, null, ScalarFilter, lists, trial, null)
@@ -284,7 +288,7 @@ class HorizonEngineTest {
             gas(engine, apart = 1.85).use { simulation ->
                 val ways = HashSet<Boolean>()
                 repeat(30) {
-                    val isAlone = trial.isAlone
+                    val isAlone = trial.way != SHARED
                     ways += isAlone
                     simulation.advance()
                     serial.advance()
@@ -517,15 +521,18 @@ class HorizonEngineTest {
     }
 
     /** In every third draw steps change hands all the time, by a clock that runs as it likes. */
-    private fun trial(seed: Long): SharingTrial? {
+    private fun trial(seed: Long): QuickerWay? {
         if (seed % 3 != 0L) return null
         val random = SeededRandom(seed)
         var now = 0L
-        return SharingTrial(isAlone = seed % 2 == 0L) {
-            now += random.nextInt(SharingTrial.MEASURED.toInt())
+        return trial(MEASURED) {
+            now += random.nextInt(MEASURED.toInt())
             now
         }
     }
+
+    /** Another engine is tried after [other] nanoseconds. */
+    private fun trial(other: Long, clock: LongSupplier) = QuickerWay(longArrayOf(other, MEASURED, MEASURED), clock)
 
     private fun islands(pool: FixedPool) = if (pool.threads == 1) null else IslandsEngine(pool, fewest = 0)
 
