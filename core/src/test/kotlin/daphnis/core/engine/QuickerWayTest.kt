@@ -47,7 +47,11 @@ class QuickerWayTest {
         // Two stretches of a second each: 16 s, however often it has lost.
         val ways = steps(120, 500_000_000, 1_000_000_000)
         val stretches = ways.stretches()
-        assertTrue(stretches.drop(2).dropLast(1).filterIndexed { k, _ -> k % 2 == 0 }.all { it in 33..50 }) { "$stretches" }
+        assertTrue(
+            stretches.drop(2).dropLast(1).filterIndexed { k, _ ->
+                k % 2 == 0
+            }.all { it in 33..50 },
+        ) { "$stretches" }
         assertTrue(stretches.size >= 5) { "$stretches" }
     }
 

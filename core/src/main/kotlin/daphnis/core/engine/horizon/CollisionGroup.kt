@@ -3,7 +3,6 @@ package daphnis.core.engine.horizon
 import daphnis.core.collision.CollisionRecord
 import daphnis.core.collision.NEVER
 import daphnis.core.collision.StepRows
-import daphnis.core.population.SphereColumns
 import daphnis.core.step.Impact
 import daphnis.core.step.PreparedStep
 
@@ -19,6 +18,7 @@ internal class CollisionGroup(
     private val space: EpochSpace,
     private val calendar: PairCalendar,
     places: SlotPlaces,
+    source: RowSource,
     number: Int,
     numbers: Int,
     witness: Impact.Witness?,
@@ -42,7 +42,7 @@ internal class CollisionGroup(
     val newLines = NewLines(space, sight, newRoamers, number, numbers)
     val search = LineSearch(frame, cells, space.roamers, space.giants, newRoamers, sight, this)
     val work = GroupWork(search, space.limits)
-    val held = GroupSpheres(places)
+    val held = GroupSpheres(places, source)
     val impact = EpochImpact(prepared, held, this, witness)
     val pairs = DuePairs(prepared, space, calendar, held, sight, work)
     val trails = Trails(frame, cells, number)
@@ -86,17 +86,15 @@ internal class CollisionGroup(
         sight.widen()
     }
 
-    /** Begins a step. See [GroupSpheres.begin] about [order]. */
-    fun begin(spheres: SphereColumns, order: IntArray?, tracks: Boolean, keepsPaths: Boolean) {
+    /** Begins a step, or a window of it without the rows before. */
+    fun begin(tracks: Boolean, keepsPaths: Boolean) {
         this.keepsPaths = keepsPaths
         hasFailed = false
         compared = 0
-        held.begin(spheres, order, frame.duration, frame.stepLimit, tracks)
+        held.begin(frame.duration, frame.start, frame.stepLimit, tracks)
         pairs.giants.begin(areCut = keepsPaths)
         crossings.clear()
-        if (newRoamers.size >
-            0
-        ) {
+        if (newRoamers.size > 0) {
             newRoamers.begin(space.spheres / ROOM_FOR_ROAMERS, cells.speeds.fastest, frame.memberRadius)
         }
         if (!keepsPaths) return
@@ -110,10 +108,10 @@ internal class CollisionGroup(
         impact.begin(record)
     }
 
-    /** Collisions go on in another window of the step. See [GroupSpheres.goOn] about [indexAt] and [slotAt]. */
-    fun goOn(indexAt: IntArray, slotAt: IntArray) {
+    /** Collisions go on in another window of the step, with the rows that there are. */
+    fun goOn() {
         isUnderWay = true
-        held.goOn(frame.start, frame.end, indexAt, slotAt)
+        held.goOn(frame.start, frame.end)
         pairs.giants.begin(areCut = false)
     }
 
@@ -223,7 +221,16 @@ internal class CollisionGroup(
         if (pairs.giants.keeps(slot, p, t)) return
         if (keepsPaths) {
             val old = paths.pieceOf(place)
-            trails.end(if (old == GroupPaths.NONE) trails.add(slot, lines, frame.stepStart, isNew = false) else old, t)
+            trails.end(
+                if (old ==
+                    GroupPaths.NONE
+                ) {
+                    trails.add(slot, lines, frame.windowStart, isNew = false)
+                } else {
+                    old
+                },
+                t,
+            )
         }
         lines.put(slot, state[p], state[p + 1], state[p + 2], state[v], state[v + 1], state[v + 2], t)
         val isMember = settle(slot, t)

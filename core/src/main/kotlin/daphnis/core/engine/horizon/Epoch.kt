@@ -56,21 +56,12 @@ internal class Epoch(
     private val frame = space.frame
     private val cells = space.cells
 
-    /** One for each group; the first is also that of [whole]. */
-    private val calendars = List(loop.workers) { PairCalendar(space.lines) }
-    private val wholePlaces = SlotPlaces()
-
-    /** What one thread does alone. */
-    private val whole = group(wholePlaces, calendars[0], loop.workers)
-    private val groupPlaces = SlotPlaces()
-    private val groups =
-        if (space.isShared) calendars.mapIndexed { g, calendar -> group(groupPlaces, calendar, g) } else emptyList()
-    val shared = SharedCollisions(prepared, space, calendars, groups, groupPlaces, whole, loop, isPatient = isEager)
-
-    private val searches = EpochSearches(space, groups.ifEmpty { listOf(whole) }, loop)
+    val plan = EpochPlan()
+    val collisions = EpochCollisions(prepared, space, loop, plan, isEager, witness)
+    private val whole = collisions.whole
+    private val searches = EpochSearches(space, collisions.workers, loop)
     private val passage = Passage(space, loop)
 
-    val plan = EpochPlan()
     private val sizes = MemberSizes()
     private var filter: LineFilter = ScalarFilter
     private lateinit var tuning: HorizonTuning
@@ -88,29 +79,18 @@ internal class Epoch(
     /** Whether the step after the present one may belong to this epoch. */
     private var isOpen = false
 
-    /** Whether groups process the collisions of the present step, and whether the last attempt of theirs failed. */
-    private var isShared = false
-    var hasFailed = false
-        private set
-
-    /** What was looked at in the present epoch, or its last window, in the nanoseconds of [EpochCost]. */
-    val work: Double get() = whole.work.total + groups.sumOf { it.work.total }
-
     /** Whether the last epoch that was thought of has spheres without cells since they are so large. */
     val hasGiants: Boolean get() = frame.hasGiants
 
-    /** How often giants have kept their lines when they met others, since the start. */
-    val kept: Long get() = whole.pairs.giants.kept
-
     /** The next step begins a new epoch. */
     fun drop() {
-        hasFailed = false
+        collisions.hasFailed = false
         isOpen = false
     }
 
     /** Whether [step] can be the next one of the present epoch, as far as its spheres are not asked. */
     fun mayGoOn(step: CollisionStep): Boolean =
-        isOpen && !calendars.areFull(spheres) && frame.continues(step, prepared.imagesOf(step))
+        isOpen && !collisions.calendars.areFull(spheres) && frame.continues(step, prepared.imagesOf(step))
 
     /**
      * Carries the spheres of [carried] through [step], and writes them nowhere but to new columns; [finish] follows.
@@ -123,7 +103,7 @@ internal class Epoch(
         val mayGoOn = mayGoOn(step) && carried.follow(spheres)
         val wasOpen = isOpen
         isOpen = false
-        hasFailed = false
+        collisions.hasFailed = false
         space.limits.isExceeded = false
         frame.step++
         val tracks = step.law.guard.needsLastCollision
@@ -141,7 +121,7 @@ internal class Epoch(
         order = if (goesOn) null else cells.order
         passage.keep(carried.spheres, columns, order, tracks)
         val isDone = if (frame.windows > 1) {
-            takeWindows(carried, columns, tracks)
+            takeWindows(step, carried, columns, tracks)
         } else {
             if (goesOn) searchChanged(carried) else searchAll()
             takeStep(step, carried, columns, tracks)
@@ -160,7 +140,7 @@ internal class Epoch(
     /** Adds what the step has counted to [counters]. */
     fun addTo(counters: CollisionCounters) {
         val before = counters.collisions
-        if (isShared) shared.addTo(counters) else counters.add(whole.impact.counted)
+        collisions.addTo(counters)
         tally.collisions += counters.collisions - before
     }
 
@@ -170,7 +150,7 @@ internal class Epoch(
         if (visits != null) {
             spheres = carried.spheres.size
             space.admit(carried.spheres, spheres, visits, whole.newLines)
-            wholePlaces.reserve(spheres)
+            collisions.reserve(spheres)
         }
         val columns = carried.columnsToWrite(tracks, keepsOrder = true)
         carried.measure(passage.next(carried.spheres, columns))
@@ -199,20 +179,17 @@ internal class Epoch(
         tally.begin()
         spheres = carried.spheres.size
         space.open(carried.visits)
-        wholePlaces.reserve(spheres)
+        collisions.reserve(spheres)
         passage.first(carried.spheres, cells, columns)
         beginWindow()
-        if (groups.isNotEmpty()) shared.divide(spheres)
     }
 
     /** All lines have been drawn anew. */
     private fun beginWindow() {
-        for (calendar in calendars) calendar.begin(frame.steps)
         space.settle(spheres)
         space.roamers.begin(spheres, cells.speeds.fastest, frame.memberRadius)
         space.giants.begin(spheres, cells.speeds.fastest, frame.largestRadius)
-        whole.beginEpoch(filter)
-        for (group in groups) group.beginEpoch(filter)
+        collisions.beginLines(filter)
     }
 
     private fun searchAll() {
@@ -229,70 +206,46 @@ internal class Epoch(
 
     /** @return false when the step cannot be ended in this way */
     private fun takeStep(step: CollisionStep, carried: Carried, columns: PopulationColumns, tracks: Boolean): Boolean {
-        if (!collide(step, carried, tracks) || space.isOver) return false
-        store(columns)
-        return true
+        collisions.begin(step, carried, order, tracks)
+        return takeWindow(columns, 0)
     }
 
-    /** The same for a step that is taken in several windows, whose collisions are processed on one thread. */
-    private fun takeWindows(carried: Carried, columns: PopulationColumns, tracks: Boolean): Boolean {
+    /** The same for a step that is taken in several windows. */
+    private fun takeWindows(
+        step: CollisionStep,
+        carried: Carried,
+        columns: PopulationColumns,
+        tracks: Boolean,
+    ): Boolean {
         if (firstOrder.size < spheres) firstOrder = IntArray(cells.order.size)
         cells.order.copyInto(firstOrder, 0, 0, spheres)
         order = firstOrder
-        isShared = false
-        whole.begin(carried.spheres, firstOrder, tracks, keepsPaths = false)
+        collisions.begin(step, carried, firstOrder, tracks)
         val written = if (columns.size == spheres) columns else FirstOf(columns, spheres)
         for (window in 0 until frame.windows) {
-            if (window > 0) {
-                // Entries of roamers that searches have looked at are counted by window.
-                tally.listed += searches.listed
-                frame.openWindow(window)
-                cells.sort(written, tuning, frame.duration)
-                cells.invert(spheres)
-                passage.again(written, cells)
-                beginWindow()
-                tally.windows++
-            }
+            if (window > 0) openWindow(window, written)
             searchAll()
-            if (space.isOver) return false
-            whole.work.start(parts = 1)
-            if (window == 0) whole.open(carried.record) else whole.goOn(cells.order, cells.slots)
-            for (calendar in calendars) calendar.forEachDue(0) { i, j, code -> whole.ask(i, j, code) }
-            val isDone = whole.process()
-            whole.rest()
-            if (!isDone || space.isOver) return false
-            whole.held.store(columns, frame.duration)
+            if (!takeWindow(columns, window)) return false
         }
         return true
     }
 
-    private fun collide(step: CollisionStep, carried: Carried, tracks: Boolean): Boolean {
-        if (space.isOver) return false
-        isShared = groups.isNotEmpty() && !loop.isAlone && (isEager || plan.sharesCollisions && shared.isWorthIt())
-        if (isShared) {
-            val isDone = shared.process(step, order, tracks)
-            hasFailed = shared.hasFailed
-            val n = spheres.toDouble()
-            if (!hasFailed) plan.joined(shared.collisions / n, shared.processedAnew / n, shared.compared / n)
-            return isDone
-        }
-        whole.begin(carried.spheres, order, tracks, keepsPaths = false)
-        whole.work.start(parts = 1)
-        whole.open(carried.record)
-        for (calendar in calendars) calendar.forEachDue(frame.step) { i, j, code -> whole.ask(i, j, code) }
-        return whole.process().also { whole.rest() }
+    private fun takeWindow(columns: PopulationColumns, window: Int): Boolean {
+        if (space.isOver || !collisions.process(window) || space.isOver) return false
+        collisions.store(columns, window)
+        return true
     }
 
-    /** Writes the spheres with rows to [columns]; everybody knows their lines from now on. */
-    private fun store(columns: PopulationColumns) {
-        if (isShared) {
-            shared.store(columns)
-        } else {
-            whole.held.store(columns, frame.duration)
-            whole.held.forEachSlot { space.settleLine(it) }
-        }
+    /** Begins a [window] after the first, with spheres as they are in [written] now. */
+    private fun openWindow(window: Int, written: SphereColumns) {
+        // Entries of roamers that searches have looked at are counted by window.
+        tally.listed += searches.listed
+        frame.openWindow(window)
+        cells.sort(written, tuning, frame.duration)
+        cells.invert(spheres)
+        collisions.goOn(cells.order, cells.slots)
+        passage.again(written, cells)
+        beginWindow()
+        tally.windows++
     }
-
-    private fun group(places: SlotPlaces, calendar: PairCalendar, number: Int) =
-        CollisionGroup(prepared, space, calendar, places, number, loop.workers + 1, witness)
 }

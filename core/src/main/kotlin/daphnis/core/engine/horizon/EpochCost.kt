@@ -64,8 +64,8 @@ internal class EpochCost(
         val impacts =
             remoteness * (collisions * (COLLISION + LINES) + searched) +
                 ROAMER * seen.roamersWithin(steps.toDouble() / windows)
-        val byGroups = impacts * GROUPS / threads + seen.entanglement * joining(collisions)
-        sharesCollisions = threads > 1 && windows == 1 && byGroups < impacts
+        val byGroups = impacts * GROUPS / threads + seen.entanglement * joining(collisions / windows) * windows
+        sharesCollisions = threads > 1 && byGroups < impacts
         val begun = ((EPOCH + ahead) / threads + SORT) * windows / steps
         return PASS / threads + begun + if (sharesCollisions) byGroups else impacts
     }

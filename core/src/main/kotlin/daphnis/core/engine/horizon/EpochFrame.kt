@@ -69,6 +69,9 @@ internal class EpochFrame {
     /** Number of the present step, from 0, and when it begins. */
     var step = 0
     val stepStart: Double get() = step * duration
+
+    /** When the present step begins, or the present window of it. */
+    val windowStart: Double get() = stepStart + start
     var largestRadius = 0.0
         private set
 

@@ -94,7 +94,7 @@ public class HorizonEngine internal constructor(
     internal val windows: Long get() = epoch.tally.windows
 
     /** What was looked at in the present epoch, or its last window, in the nanoseconds of [EpochCost]. */
-    internal val work: Double get() = epoch.work
+    internal val work: Double get() = epoch.collisions.work
 
     /** Spheres that were found off their lines, at the starts of steps, since the start. */
     internal val strays: Long get() = epoch.tally.strays
@@ -103,10 +103,10 @@ public class HorizonEngine internal constructor(
     internal val giants: Long get() = epoch.tally.giants
 
     /** Collisions in which a giant has kept its line, since the start. */
-    internal val kept: Long get() = epoch.kept
+    internal val kept: Long get() = epoch.collisions.whole.pairs.giants.kept
 
     /** How threads have shared collisions. */
-    internal val shared: SharedCollisions get() = epoch.shared
+    internal val shared: SharedCollisions get() = epoch.collisions.shared
 
     /**
      * After a step in an epoch it is so: all spheres have been on lines, which are within the bounds of the frame, or

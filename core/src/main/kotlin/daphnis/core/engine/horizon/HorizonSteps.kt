@@ -138,7 +138,7 @@ public class HorizonSteps internal constructor(
 
     /** [step], which [take] has refused, has been taken in another way. */
     public fun tookAnother(step: CollisionStep) {
-        if (epoch.hasFailed) step.counters.causalityReplays++
+        if (epoch.collisions.hasFailed) step.counters.causalityReplays++
         val size = step.population.size
         val collisions = step.counters.collisions - before
         if (size > 0) epoch.plan.observe(collisions.toDouble() / size)

@@ -17,7 +17,6 @@ import daphnis.core.step.CollisionStep
 internal class LastGroup(
     private val space: EpochSpace,
     private val groups: List<CollisionGroup>,
-    private val places: SlotPlaces,
     private val group: CollisionGroup,
     private val isPatient: Boolean,
 ) : CollisionGroup.Others {
@@ -53,13 +52,12 @@ internal class LastGroup(
     fun process(
         collisions: Long,
         step: CollisionStep,
-        order: IntArray?,
         tracks: Boolean,
         due: List<List<PairList>>,
         meetings: List<PairList>,
     ): Boolean {
         isInUse = false
-        begin(step, order, tracks)
+        begin(tracks)
         reopened.clear()
         group.work.start(parts = 1)
         processed = 0
@@ -74,7 +72,7 @@ internal class LastGroup(
         do {
             if (++rounds > most || !isPatient && isTooMuch(collisions)) return false
             reopen()
-            begin(step, order, tracks)
+            begin(tracks)
             doomed.clear()
             val isDone = group.processApart { start(step, due) }
             processed += group.impact.counted.collisions
@@ -88,9 +86,9 @@ internal class LastGroup(
     private fun isTooMuch(collisions: Long): Boolean = processed + compared / COMPARED_A_COLLISION > collisions
 
     /** Undoes what this group has done, and begins the step. */
-    private fun begin(step: CollisionStep, order: IntArray?, tracks: Boolean) {
+    private fun begin(tracks: Boolean) {
         if (isInUse) group.paths.forEachLive { restore(group.held.slotOf(it)) }
-        group.begin(step.population, order, tracks, keepsPaths = true)
+        group.begin(tracks, keepsPaths = true)
         group.rest()
     }
 
@@ -117,10 +115,10 @@ internal class LastGroup(
     private fun drop(slot: Int) {
         if (!haveChanged(slot)) return
         val owner = groups[space.shares.ownerOf(slot)]
-        owner.paths.drop(places.of(slot)) { place ->
+        owner.paths.drop(owner.held.presentPlaceOf(slot)) { place ->
             val s = owner.held.slotOf(place)
             restore(s)
-            places.forget(s)
+            owner.held.forget(place)
             reopened.add(s)
             reopenings++
         }
@@ -128,8 +126,9 @@ internal class LastGroup(
 
     /** Whether a group has changed the sphere in [slot], and that holds. */
     override fun haveChanged(slot: Int): Boolean {
-        val place = places.of(slot)
-        return place != SlotPlaces.NONE && groups[space.shares.ownerOf(slot)].paths.isLive(place)
+        val owner = groups[space.shares.ownerOf(slot)]
+        val place = owner.held.presentPlaceOf(slot)
+        return place != SlotPlaces.NONE && owner.paths.isLive(place)
     }
 
     private fun start(step: CollisionStep, due: List<List<PairList>>) {
@@ -139,7 +138,7 @@ internal class LastGroup(
         for (k in 0 until reopened.size) {
             if (group.work.isTooMuch()) return
             val place = group.held.placeOf(reopened[k])
-            val piece = group.trails.add(reopened[k], lines, frame.stepStart, isNew = false)
+            val piece = group.trails.add(reopened[k], lines, frame.windowStart, isNew = false)
             group.paths.setPiece(place, piece)
             meet(piece)
         }
@@ -168,10 +167,11 @@ internal class LastGroup(
         if (isInUse) group.paths.addTo(counters, record, group.record)
     }
 
-    /** Writes its rows to [columns]. */
-    fun store(columns: PopulationColumns) {
+    /** Writes its rows to [columns], and makes later ones from them where the step [goesOn]. */
+    fun store(columns: PopulationColumns, goesOn: Boolean) {
         if (isInUse) {
             group.held.store(columns, frame.duration)
+            if (goesOn) group.held.keep()
             group.paths.forEachLive { place ->
                 val slot = group.held.slotOf(place)
                 space.before.copy(slot, lines, slot)

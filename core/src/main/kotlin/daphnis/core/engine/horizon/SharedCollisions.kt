@@ -3,7 +3,6 @@ package daphnis.core.engine.horizon
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.PopulationColumns
-import daphnis.core.population.SphereColumns
 import daphnis.core.step.CollisionStep
 import daphnis.core.step.PreparedStep
 import daphnis.core.step.StepLimits
@@ -41,7 +40,7 @@ internal class SharedCollisions(
     private val frame = space.frame
     private val due = List(groups.size) { List(groups.size + 1) { PairList() } }
     private val meetings = groups.map { PairList() }
-    private val last = LastGroup(space, groups, places, last, isPatient)
+    private val last = LastGroup(space, groups, last, isPatient)
     private val counted = CollisionCounters()
 
     /** Steps that groups have ended since the start. */
@@ -74,11 +73,13 @@ internal class SharedCollisions(
     /** Whether the collisions of the present step are worth the barriers. */
     fun isWorthIt(): Boolean = calendars.sumOf { it.count(frame.step) } >= LEAST_DUE * groups.size
 
-    /** @return false when the step is to be taken in another way; then nothing has changed but lines */
-    fun process(step: CollisionStep, order: IntArray?, tracks: Boolean): Boolean {
-        val population = step.population
+    /**
+     * @param isFirst whether this is the first window of [step], or the only one
+     * @return false when the step is to be taken in another way; then nothing has changed but lines
+     */
+    fun process(step: CollisionStep, tracks: Boolean, isFirst: Boolean): Boolean {
         hasFailed = false
-        each { prepareGroup(it, population, order, tracks) }
+        each { prepareGroup(it, tracks) }
         each { processGroup(it, step) }
         collisions = 0
         hasFailed = groups.any { it.hasFailed }
@@ -86,12 +87,12 @@ internal class SharedCollisions(
         collisions = groups.sumOf { it.impact.counted.collisions }
         each { compare(it) }
         if (space.limits.isExceeded) return false
-        if (!last.process(collisions, step, order, tracks, due, meetings)) {
+        if (!last.process(collisions, step, tracks, due, meetings)) {
             hasFailed = last.hasFailed
             return false
         }
-        count(step)
-        hasFailed = counted.collisions + counted.wallCollisions > StepLimits.mostCollisions(population.size)
+        count(step, isFirst)
+        hasFailed = counted.collisions + counted.wallCollisions > StepLimits.mostCollisions(step.population.size)
         return !hasFailed && !lines.isLost
     }
 
@@ -103,8 +104,8 @@ internal class SharedCollisions(
     }
 
     /** Deals out the pairs that are due in the calendar of group [g]. */
-    private fun prepareGroup(g: Int, population: SphereColumns, order: IntArray?, tracks: Boolean) {
-        groups[g].begin(population, order, tracks, keepsPaths = true)
+    private fun prepareGroup(g: Int, tracks: Boolean) {
+        groups[g].begin(tracks, keepsPaths = true)
         groups[g].work.start(groups.size)
         groups[g].sight.narrow(g)
         val lists = due[g]
@@ -144,9 +145,11 @@ internal class SharedCollisions(
         }
     }
 
-    private fun count(step: CollisionStep) {
-        counted.clear()
-        step.record?.clear()
+    private fun count(step: CollisionStep, isFirst: Boolean) {
+        if (isFirst) {
+            counted.clear()
+            step.record?.clear()
+        }
         for (group in groups) group.paths.addTo(counted, step.record, group.record)
         last.addTo(counted, step.record)
     }
@@ -156,16 +159,21 @@ internal class SharedCollisions(
         counters.add(counted)
     }
 
-    /** Writes the spheres with rows to [columns]. Others see their lines from now on. */
-    fun store(columns: PopulationColumns) {
+    /**
+     * Writes the spheres with rows to [columns]. Others see their lines from now on, and where the step [goesOn] in
+     * another window, rows there are made from these.
+     */
+    fun store(columns: PopulationColumns, goesOn: Boolean) {
         each { g ->
             groups[g].held.store(columns, frame.duration)
             groups[g].paths.forEachLive { place -> settle(groups[g].held.slotOf(place)) }
         }
         for (group in groups) group.newRoamers.forEachPresent(lines) { space.addRoamer(it, isFinal = true) }
-        last.store(columns)
+        if (goesOn) for (group in groups) group.held.keep()
+        // Rows that were dropped are among its rows.
+        last.store(columns, goesOn)
         for (group in groups) group.rest()
-        steps++
+        if (!goesOn) steps++
     }
 
     private fun settle(slot: Int) {

@@ -57,20 +57,6 @@ class EpochPlanTest {
     }
 
     @Test
-    fun `groups are asked again also where nothing but groups would make epochs pay`() {
-        gas(edge = 28)
-        val plan = plan()
-        plan.observe(SOME)
-        assertNotNull(choose(plan))
-        assertTrue(plan.sharesCollisions)
-        plan.joined(SOME, anew = 3 * SOME, compared = 300 * SOME)
-        assertNull(choose(plan))
-        var asked = 0
-        while (asked < 300 && choose(plan) == null) asked++
-        assertTrue(asked in 3..200 && plan.sharesCollisions) { "$asked times" }
-    }
-
-    @Test
     fun `epochs that looked through many roamers rest, and are tried again some time`() {
         val plan = EpochPlan()
         plan.observe(FEW)
@@ -143,19 +129,6 @@ class EpochPlanTest {
         }
         assertEquals(listOf(1, 1), windows.take(2))
         assertTrue(windows[2] in 2..4 && windows[3] > windows[2] && windows[4] in 2 * windows[2]..32) { "$windows" }
-        assertFalse(plan().also { choose(it) }.sharesCollisions)
-    }
-
-    @Test
-    fun `two threads make epochs of few spheres too, since islands do not pay there`() {
-        // From 20,000 spheres on it is islands that an epoch has to beat.
-        for ((edge, isChosen) in listOf(27 to true, 28 to false)) {
-            gas(edge = edge)
-            val plan = plan()
-            plan.observe(MANY / 2)
-            plan.joined(MANY / 2, anew = MANY, compared = 300 * MANY)
-            assertEquals(isChosen, choose(plan) != null) { "$size spheres" }
-        }
     }
 
     @Test

@@ -25,9 +25,14 @@ class GroupSpheresTest {
         val indexAt = IntArray(n).also { for (k in slotAt.indices) it[slotAt[k]] = k }
         for (isLater in listOf(false, true)) {
             val places = SlotPlaces().apply { reserve(n) }
-            val spheres = GroupSpheres(places)
-            spheres.begin(gas, order, 1.0, 1.0, false)
-            if (isLater) spheres.goOn(0.5, 1.0, indexAt, slotAt)
+            val source = RowSource()
+            source.begin(gas, n, order, 1.0, false)
+            val spheres = GroupSpheres(places, source)
+            spheres.begin(1.0, 0.0, 1.0, false)
+            if (isLater) {
+                source.goOn(indexAt, slotAt)
+                spheres.goOn(0.5, 1.0)
+            }
             val rows = StepRows()
             rows.begin(1.0, false, 0)
             for (slot in 0 until n) rows.include(gas, order[if (isLater) indexAt[slot] else slot])

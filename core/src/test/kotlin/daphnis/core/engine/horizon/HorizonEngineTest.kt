@@ -15,9 +15,9 @@ import daphnis.core.engine.FixedThreads
 import daphnis.core.engine.QuickerWay
 import daphnis.core.engine.QuickerWay.Companion.MEASURED
 import daphnis.core.engine.SerialEngine
-import daphnis.core.engine.horizon.HorizonSteps.Companion.SHARED
 import daphnis.core.engine.assertSameStep
 import daphnis.core.engine.failure
+import daphnis.core.engine.horizon.HorizonSteps.Companion.SHARED
 import daphnis.core.engine.islands.IslandsEngine
 import daphnis.core.engine.lists.ListTuning
 import daphnis.core.hill.HillFrame
@@ -94,6 +94,8 @@ class HorizonEngineTest {
         var steps = 0L
         var windows = 0L
         var crossings = 0L
+        var shared = 0L
+        var reopened = 0L
         val settings = FixedThreads(1)
         for (seed in 1..DRAWS / 2) {
             val draw = LongDraw(seed, longer = 1.0 + seed % 6)
@@ -116,13 +118,18 @@ class HorizonEngineTest {
             bounces += serial.collisions!!.counters.wallCollisions
             steps += engine.epochSteps
             windows += engine.windows
+            shared += engine.shared.steps
+            reopened += engine.shared.reopened
             val p = serial.population
             if (draw.boundary is HillSheet) crossings += p.id.count { p.boxesCrossed(it, 0) != 0 }
         }
-        println("$collisions collisions, $bounces at walls, in $steps steps of $windows more windows")
+        println(
+            "$collisions collisions, $bounces at walls, in $steps steps of $windows more windows; $shared shared, $reopened reopened",
+        )
         assertTrue(collisions > 100 * DRAWS) { "$collisions collisions" }
         assertTrue(bounces > 10 * DRAWS) { "$bounces at walls" }
         assertTrue(steps > STEPS * DRAWS / 6 && windows > 3 * steps) { "$steps steps, $windows windows" }
+        assertTrue(shared > steps / 4 && reopened > 1000) { "$shared steps shared, $reopened spheres reopened" }
         assertTrue(crossings > DRAWS) { "$crossings through sliding faces" }
     }
 
