@@ -27,6 +27,7 @@ import daphnis.app.printing.printLine
 import daphnis.app.printing.printLines
 import daphnis.app.printing.warn
 import daphnis.core.input.InputException
+import daphnis.core.parallel.Cores
 import daphnis.core.run.adviceOn
 import daphnis.core.scenario.BuiltIn
 import java.nio.file.Files
@@ -168,7 +169,7 @@ class BenchCommand : CliktCommand(name = "bench") {
         ?: throw InputException("--threads", null, "is '$word'; numbers with commas between are needed")
 
     private fun usualThreads(): List<Int> {
-        val cores = Runtime.getRuntime().availableProcessors()
+        val cores = Cores.ofJob
         return generateSequence(1) { it * 2 }.takeWhile { it < cores }.toList() + cores
     }
 

@@ -13,6 +13,7 @@ import daphnis.core.cluster.FleetNode
 import daphnis.core.cluster.NodesAwaited
 import daphnis.core.engine.EngineFactory
 import daphnis.core.input.InputException
+import daphnis.core.parallel.Cores
 import java.time.Duration
 
 /** The options of a command that can let nodes compute. */
@@ -74,7 +75,7 @@ internal class FleetOptions : ProcessOptions(GroupedHelp.SEVERAL_MACHINES, "See 
 
     private fun onThisMachine(name: String, threads: Int?): Fleet {
         val count = nodes!!
-        val each = threads ?: maxOf(1, Runtime.getRuntime().availableProcessors() / count)
+        val each = threads ?: maxOf(1, Cores.ofJob / count)
         val command = { leader: HostPort ->
             val words = listOf("node", "--join", "$leader", "--threads", "$each", "--until-input-ends")
             LocalNodes.java(MAIN) + words + listOfNotNull(config?.let { "--config=$it" })

@@ -4,28 +4,23 @@ import com.github.ajalt.clikt.core.CliktCommand
 import com.github.ajalt.clikt.core.Context
 import com.github.ajalt.clikt.core.ProgramResult
 import com.github.ajalt.clikt.parameters.arguments.argument
+import com.github.ajalt.clikt.parameters.arguments.optional
 import com.github.ajalt.clikt.parameters.options.flag
 import com.github.ajalt.clikt.parameters.options.multiple
 import com.github.ajalt.clikt.parameters.options.option
 import com.github.ajalt.clikt.parameters.types.double
 import com.github.ajalt.clikt.parameters.types.int
-import daphnis.analysis.sweep.Sweep
-import daphnis.analysis.sweep.SweepPlots
-import daphnis.analysis.sweep.SweepRun
-import daphnis.analysis.sweep.SweepTables
-import daphnis.analysis.sweep.SweepText
 import daphnis.app.printing.printLine
-import daphnis.app.printing.printLines
 import daphnis.app.printing.reasonInWords
 import daphnis.app.printing.warn
 import daphnis.app.sweep.KeyLabel
 import daphnis.app.sweep.PlannedRun
-import daphnis.app.sweep.SharedCores
+import daphnis.app.sweep.RunWords
 import daphnis.app.sweep.SweepDirectory
+import daphnis.app.sweep.SweepOrder
+import daphnis.app.sweep.SweepPart
 import daphnis.app.sweep.SweepPlan
 import daphnis.app.sweep.SweepRecord
-import daphnis.app.sweep.SweepWork
-import daphnis.core.format.WholeFile
 import daphnis.core.input.InputException
 import daphnis.core.run.RunDirectory
 import daphnis.core.run.adviceOn
@@ -36,16 +31,13 @@ import daphnis.core.scenario.ScenarioSetup
 import kotlinx.serialization.json.Json
 import java.nio.file.Files
 import java.nio.file.Path
-import java.util.concurrent.Callable
-import java.util.concurrent.ExecutionException
-import java.util.concurrent.Executors
 
 /** `daphnis sweep`. */
 class SweepCommand : CliktCommand(name = "sweep") {
     private val scenario by argument(
-        help = "scenario file or built-in name",
+        help = "scenario file or built-in name (with --collect it may be left out)",
         completionCandidates = Candidates.scenario,
-    )
+    ).optional()
     private val settings by option(
         "--set",
         metavar = "path=value,…",
@@ -74,41 +66,142 @@ class SweepCommand : CliktCommand(name = "sweep") {
         help = "directory of the sweep, new or with the same sweep, which goes on (default: runs/NAME-sweep)",
         completionCandidates = Candidates.files,
     )
+    private val part by option(
+        "--part",
+        metavar = "k/n",
+        help =
+        "carry out only the runs number k, k+n, …, while other processes do the others; 'auto' is the task of a " +
+            "SLURM array or of an indexed Kubernetes job",
+    )
+    private val collect by option("--collect", help = "make the tables of the finished runs; begins none").flag()
+    private val list by option(
+        "--list",
+        help = "print number, name and command of each run, a line each; writes nothing",
+    ).flag()
     private val quiet by option("--quiet", help = "no progress").flag()
 
     override fun help(context: Context) =
         "Run a scenario for many values and seeds, and tabulate and plot the means with their errors."
 
     override fun run() {
+        checkOptions()
+        val part = part?.let { SweepPart.parse(it, System.getenv()) }
+        val order = if (scenario == null) orderOfRecord() else orderOfCommand()
+        val report = SweepReport(order, quiet)
+        val runs = SweepRuns(order, jobs, from, quiet)
+        when {
+            list -> printList(order)
+            collect -> collect(order, runs, report)
+            part != null -> carryOut(order, part, runs, report)
+            else -> carryOut(order, runs, report)
+        }
+    }
+
+    private fun checkOptions() {
         val jobs = jobs
         if (jobs != null && jobs !in 1..MOST_JOBS) {
             throw InputException("--jobs", null, "is $jobs; it must be in 1..$MOST_JOBS")
         }
         from?.let { if (!it.isFinite()) throw InputException("--from", null, "is $it; it must be a finite number") }
-        val plan = SweepPlan.of(settings, seeds)
-        val base = scenarioNamed(scenario, emptyList())
-        // A file that is changed later changes no run.
-        val scenarios = plan.runs.associateWith { scenarioOf(it) }
-        requireEngine()
-        val place = SweepDirectory(
-            out?.let { pathOf(it, "--out") } ?: Path.of("runs").resolve("${directoryName(base.name)}-sweep"),
-        )
-        requireStartable(plan, place, scenarios::getValue)
-        val record = SweepRecord(Json.parseToJsonElement(ScenarioJson.write(base)), plan.keys, plan.seeds)
-        writing(place.path.toAbsolutePath().parent) {
-            place.claim(record)
-        }.use { lock ->
-            lock.notice?.let(::warn)
-            carryOut(plan, place, KeyLabel(base.units), scenarios::getValue)
+        val modes = listOfNotNull(part?.let { "--part" }, "--collect".takeIf { collect }, "--list".takeIf { list })
+        if (modes.size > 1) throw InputException(modes[1], null, "and ${modes[0]} are for a command each")
+        if (scenario != null) return
+        if (!collect) throw InputException("scenario", null, "is missing: a file or a built-in name is needed")
+        if (out == null) throw InputException("--out", null, "is missing: the directory of the sweep is needed")
+        if (settings.isNotEmpty() || seeds != null) {
+            throw InputException("scenario", null, "is missing, to which --set and --seeds belong; or leave them out")
         }
     }
 
-    private fun scenarioOf(run: PlannedRun): Scenario {
+    private fun orderOfCommand(): SweepOrder {
+        val word = checkNotNull(scenario)
+        val plan = SweepPlan.of(settings, seeds)
+        val base = scenarioNamed(word, emptyList())
+        // A file that is changed later changes no run.
+        val scenarios = plan.runs.associateWith { run -> scenarioOf(run) { scenarioNamed(word, it) } }
+        requireEngine()
+        val record = SweepRecord(Json.parseToJsonElement(ScenarioJson.write(base)), plan.keys, plan.seeds, word)
+        val place = out?.let { pathOf(it, "--out") } ?: Path.of("runs").resolve("${directoryName(base.name)}-sweep")
+        return SweepOrder(plan, SweepDirectory(place), record, word, KeyLabel(base.units), scenarios)
+    }
+
+    /** The sweep that is in the directory. */
+    private fun orderOfRecord(): SweepOrder {
+        val place = SweepDirectory(pathOf(checkNotNull(out), "--out"))
+        val record = place.known()
+        val plan = record.plan()
+        val scenarios = plan.runs.associateWith { run -> scenarioOf(run, record::scenario) }
+        return SweepOrder(plan, place, record, record.name, KeyLabel(record.scenario(emptyList()).units), scenarios)
+    }
+
+    private fun printList(order: SweepOrder) {
+        requireStartable(order)
+        val words = RunWords(order.title, engine)
+        order.plan.runs.forEachIndexed { k, run ->
+            printLine("${k + 1} ${run.name} ${words.of(run, order.place.run(run.name))}")
+        }
+    }
+
+    private fun collect(order: SweepOrder, runs: SweepRuns, report: SweepReport) {
+        if (!order.place.hasRuns) order.place.known()
+        order.place.claim(order.record, mayHaveRuns = true).use { lock ->
+            lock.notice?.let(::warn)
+            val found = runs.collect(order.plan.runs)
+            val missing = order.plan.runs.map { it.name } - found.map { it.name }.toSet()
+            if (found.isEmpty()) {
+                throw ProgramResult(complain("none of the ${missing.size} runs is finished", EXIT_FAILED))
+            }
+            for (name in missing) warn("$name: is not finished")
+            report.conclude(found)
+            if (missing.isEmpty()) return
+            val all = order.plan.runs.size
+            throw ProgramResult(complain("${missing.size} of $all runs are missing in the tables", EXIT_FAILED))
+        }
+    }
+
+    private fun carryOut(order: SweepOrder, part: SweepPart, runs: SweepRuns, report: SweepReport) {
+        requireStartable(order)
+        writing(order.place.path.toAbsolutePath().parent) { order.place.join(order.record) }
+        val own = part.of(order.plan.runs)
+        runs.carryOut(own) { outcome ->
+            requireDone(outcome, own.size)
+            report.concludePart("$part", outcome.done)
+            if (outcome.isInterrupted) interrupted("the part is complete")
+        }
+    }
+
+    private fun carryOut(order: SweepOrder, runs: SweepRuns, report: SweepReport) {
+        requireStartable(order)
+        writing(order.place.path.toAbsolutePath().parent) {
+            order.place.claim(order.record)
+        }.use { lock ->
+            lock.notice?.let(::warn)
+            runs.carryOut(order.plan.runs) { outcome ->
+                requireDone(outcome, order.plan.runs.size)
+                report.conclude(outcome.done)
+                if (outcome.isInterrupted) interrupted("the sweep is complete")
+            }
+        }
+    }
+
+    private fun requireDone(outcome: SweepRuns.Outcome, all: Int) {
+        if (outcome.done.size == all) return
+        val finished = outcome.done.count { it.failure == null }
+        printLine("interrupted with $finished of $all runs finished; the same command goes on with them")
+        throw ProgramResult(EXIT_INTERRUPTED)
+    }
+
+    private fun interrupted(how: String): Nothing {
+        printLine("interrupted at the end: $how")
+        throw ProgramResult(EXIT_INTERRUPTED)
+    }
+
+    private fun scenarioOf(run: PlannedRun, read: (List<String>) -> Scenario): Scenario {
         val seed = listOfNotNull(run.seed?.let { "seed=$it" })
         val shorthand = listOfNotNull(engine?.let { "engine.name=$it" })
         // Threads are shared out, unless the command line says how many.
         val words = listOf("engine.threads=0") + run.settings + shorthand + seed
-        return scenarioNamed(scenario, words).changedBy(run.settings + seed)
+        return read(words).changedBy(run.settings + seed)
     }
 
     private fun requireEngine() {
@@ -118,12 +211,13 @@ class SweepCommand : CliktCommand(name = "sweep") {
     }
 
     /** Wrong values are told before anything is written; seeds change none. Runs that have begun were checked then. */
-    private fun requireStartable(plan: SweepPlan, place: SweepDirectory, scenarioOf: (PlannedRun) -> Scenario) {
-        val begun = { run: PlannedRun -> Files.exists(RunDirectory(place.run(run.name)).scenario) }
+    private fun requireStartable(order: SweepOrder) {
+        val plan = order.plan
+        val begun = { run: PlannedRun -> Files.exists(RunDirectory(order.place.run(run.name)).scenario) }
         for (run in plan.runs.filterNot(begun).distinctBy { it.settings }) {
             try {
-                ScenarioSetup.check(scenarioOf(run), scenario)
-                engineOf(scenarioOf(run), scenario, allEngines).close()
+                ScenarioSetup.check(order.scenarioOf(run), order.title)
+                engineOf(order.scenarioOf(run), order.title, allEngines).close()
             } catch (e: InputException) {
                 // What is wrong with one key may be so only together with others.
                 val others = plan.varying.indices.filter { plan.varying[it].path != e.key }
@@ -134,100 +228,7 @@ class SweepCommand : CliktCommand(name = "sweep") {
         }
     }
 
-    private fun carryOut(
-        plan: SweepPlan,
-        place: SweepDirectory,
-        label: KeyLabel,
-        scenarios: (PlannedRun) -> Scenario,
-    ) {
-        val runs = plan.runs
-        val cores = Runtime.getRuntime().availableProcessors()
-        val together = minOf(jobs ?: cores, runs.size)
-        val progress = SweepProgress(quiet, runs.size)
-        val interruption = Interruption()
-        preparePlot()
-        try {
-            val engines = SharedCores(allEngines, maxOf(1, cores / together))
-            val work = SweepWork(
-                place,
-                engines,
-                scenarios,
-                scenario,
-                from,
-                progress,
-                ::reasonInWords,
-                ::drawPlot,
-            ) { interruption.requested }
-            interruption.armed = true
-            val results = inParallel(runs, together) { run ->
-                progress.begun(run)
-                work.carryOut(run).also { progress.ended(run, it) }
-            }
-            progress.clear()
-            val done = results.filterNotNull()
-            if (done.size < runs.size) {
-                val finished = done.count { it.failure == null }
-                printLine(
-                    "interrupted with $finished of ${runs.size} runs finished; the same command goes on with them",
-                )
-                throw ProgramResult(EXIT_INTERRUPTED)
-            }
-            val keys = plan.varying.map { it.path }
-            conclude(Sweep(keys, done, keys.map { label.of(it) }), place)
-            if (interruption.requested) {
-                printLine("interrupted at the end: the sweep is complete")
-                throw ProgramResult(EXIT_INTERRUPTED)
-            }
-        } finally {
-            interruption.done()
-        }
-    }
-
-    /** What [act] makes of each of [runs], in their order, [jobs] at a time. */
-    private fun inParallel(runs: List<PlannedRun>, jobs: Int, act: (PlannedRun) -> SweepRun?): List<SweepRun?> {
-        val pool = Executors.newFixedThreadPool(jobs) { Thread(it, "daphnis-sweep").apply { isDaemon = true } }
-        try {
-            return runs.map { pool.submit(Callable { act(it) }) }.map { it.get() }
-        } catch (e: ExecutionException) {
-            throw e.cause ?: e
-        } finally {
-            pool.shutdownNow()
-        }
-    }
-
-    private fun conclude(sweep: Sweep, place: SweepDirectory) {
-        printLines(table(SweepText(sweep)))
-        var plots = 0
-        writing(place.path) {
-            val tables = SweepTables(sweep)
-            tables.writeMeans(place.means)
-            tables.writeRuns(place.runs)
-            WholeFile.write(place.text, "# $scenario\n\n${SweepText(sweep).text(WIDE)}\n")
-            val drawn = SweepPlots(sweep)
-            plots = drawn.write(place.plots)
-            drawn.missing?.let { warn("there are no PNG pictures in ${place.plots}, only SVG: $it") }
-        }
-        if (!quiet) {
-            printLine("")
-            printLine("${if (plots == 0) "tables" else "tables and plots"} are in ${place.path}")
-        }
-        val failed = sweep.failed.size
-        if (failed > 0) {
-            throw ProgramResult(complain("$failed of ${sweep.runs.size} runs failed, see ${place.runs}", EXIT_FAILED))
-        }
-    }
-
-    /** Beside each other stand as many points as have place; where not even one has, all are listed below. */
-    private fun table(sweep: SweepText): String {
-        val columns = outputColumns() ?: return sweep.text(WIDE)
-        val text = sweep.text(columns)
-        return fitted(if (isWide(text.lines(), columns)) sweep.text(Int.MAX_VALUE) else text, columns)
-    }
-
     private companion object {
         const val MOST_JOBS = 1000
-
-        /** Columns of a table where there is no terminal. */
-        const val WIDE = 120
     }
 }

@@ -14,20 +14,25 @@ internal class SweepDirectory(val path: Path) {
     private val record: Path get() = path.resolve("sweep.json")
 
     /** The directory of the run called [name]. */
-    fun run(name: String): Path = path.resolve("runs").resolve(name)
+    fun run(name: String): Path = allRuns.resolve(name)
+
+    /** Whether any have begun. */
+    val hasRuns: Boolean get() = Files.isDirectory(allRuns)
+    private val allRuns: Path get() = path.resolve("runs")
 
     /**
      * Takes the directory, new or with the same sweep in it, until the lock is closed.
      *
+     * @param mayHaveRuns whether there may be runs without a record, made one by one
      * @throws InputException when it holds something else, or a sweep of which [mine] is not the record, or another
      *   process works in it; it is as it was then
      */
-    fun claim(mine: SweepRecord): RunLock {
-        check(mine)
+    fun claim(mine: SweepRecord, mayHaveRuns: Boolean = false): RunLock {
+        check(mine, mayHaveRuns)
         Files.createDirectories(path)
         val lock = RunLock.take(path)
         try {
-            check(mine)
+            check(mine, mayHaveRuns)
             if (!Files.exists(record)) mine.write(record)
             return lock
         } catch (e: Throwable) {
@@ -35,23 +40,58 @@ internal class SweepDirectory(val path: Path) {
         }
     }
 
-    private fun check(mine: SweepRecord) {
+    /**
+     * Makes the directory that of the sweep of [mine], where it is not yet. Other processes may do so at the same time,
+     * and work in it.
+     *
+     * @throws InputException as [claim], but for other processes
+     */
+    fun join(mine: SweepRecord) {
+        check(mine)
+        Files.createDirectories(path)
+        if (!Files.exists(record)) mine.writeIfFirst(record)
+        check(mine)
+    }
+
+    /**
+     * The record of the sweep that is here.
+     *
+     * @throws InputException when there is none
+     */
+    fun known(): SweepRecord {
+        if (!Files.exists(record)) throw InputException("--out", null, "$path holds no sweep")
+        return SweepRecord.read(record)
+    }
+
+    private fun check(mine: SweepRecord, mayHaveRuns: Boolean = false) {
         if (!Files.exists(path)) {
             if (Files.isSymbolicLink(path)) throw InputException("--out", null, "$path is a link without a target")
             return
         }
         if (!Files.isDirectory(path)) throw InputException("--out", null, "$path is no directory")
-        if (Files.exists(record)) {
-            val difference = mine.difference(SweepRecord.read(record)) ?: return
-            val mend = "repeat its command to go on with it, or give another directory"
-            throw InputException("--out", null, "$path holds another sweep: $difference; $mend")
+        // Another process may write the record meanwhile, and then its runs.
+        if (isOf(mine)) return
+        val others = Files.list(path).use { files ->
+            files.filter {
+                !isOwn("${it.fileName}") &&
+                    !(mayHaveRuns && it == allRuns)
+            }.findAny()
         }
-        val others = Files.list(path).use { files -> files.filter { "${it.fileName}" !in OWN }.findAny() }
-        if (others.isPresent) throw InputException("--out", null, "$path is not empty and holds no sweep")
+        if (others.isPresent &&
+            !isOf(mine)
+        ) {
+            throw InputException("--out", null, "$path is not empty and holds no sweep")
+        }
     }
 
-    private companion object {
-        /** What a start that was cut short leaves. */
-        val OWN = RunLock.FILES + "sweep.json.tmp"
+    /** Whether the sweep of [mine] is here; false when there is none. */
+    private fun isOf(mine: SweepRecord): Boolean {
+        if (!Files.exists(record)) return false
+        val difference = mine.difference(SweepRecord.read(record)) ?: return true
+        val mend = "repeat its command to go on with it, or give another directory"
+        throw InputException("--out", null, "$path holds another sweep: $difference; $mend")
     }
+
+    /** Whether a start that was cut short may have left [name]. */
+    private fun isOwn(name: String) = name in RunLock.FILES || name.startsWith("${record.fileName}")
 }

@@ -4,6 +4,8 @@ import daphnis.core.format.FormatException
 import daphnis.core.format.WholeFile
 import daphnis.core.format.reasonOf
 import daphnis.core.run.Version
+import daphnis.core.scenario.Scenario
+import daphnis.core.scenario.ScenarioJson
 import kotlinx.serialization.SerializationException
 import kotlinx.serialization.json.Json
 import kotlinx.serialization.json.JsonArray
@@ -15,6 +17,7 @@ import kotlinx.serialization.json.jsonArray
 import kotlinx.serialization.json.jsonObject
 import kotlinx.serialization.json.jsonPrimitive
 import java.io.IOException
+import java.nio.file.FileAlreadyExistsException
 import java.nio.file.Files
 import java.nio.file.Path
 
@@ -24,12 +27,19 @@ import java.nio.file.Path
  * @property scenario as it is before anything is set, as JSON
  * @property keys of the settings, in their order
  * @property seeds null for the scenario's
+ * @property name what the scenario was called on the command line
  */
 internal class SweepRecord(
     private val scenario: JsonElement,
     private val keys: List<SweptKey>,
     private val seeds: List<Long>?,
+    val name: String,
 ) {
+    fun plan(): SweepPlan = SweepPlan(keys, seeds)
+
+    /** The scenario with [settings]. */
+    fun scenario(settings: List<String>): Scenario = ScenarioJson.parse("$scenario", name, settings)
+
     /** What this record has otherwise than the [earlier] one, as the end of a sentence; null when nothing. */
     fun difference(earlier: SweepRecord): String? {
         val before = earlier.keys.associate { it.path to it.values.joinToString(",") }
@@ -70,13 +80,40 @@ internal class SweepRecord(
 
     /** Writes the file, whole or not at all. */
     fun write(path: Path) {
+        WholeFile.write(path, text())
+    }
+
+    /** The same where no other process has written it: the first one's stays. */
+    fun writeIfFirst(path: Path) {
+        val own = path.resolveSibling("${path.fileName}.${ProcessHandle.current().pid()}-${System.nanoTime()}")
+        try {
+            Files.writeString(own, text())
+            try {
+                Files.createLink(path, own)
+            } catch (e: UnsupportedOperationException) {
+                Files.move(own, path)
+            } catch (e: FileAlreadyExistsException) {
+                throw e
+            } catch (e: IOException) {
+                // A file system without links.
+                Files.move(own, path)
+            }
+        } catch (e: FileAlreadyExistsException) {
+            return
+        } finally {
+            Files.deleteIfExists(own)
+        }
+    }
+
+    private fun text(): String {
         val tree = buildJsonObject {
             put("version", JsonPrimitive(Version.text))
             put("settings", JsonObject(keys.associate { it.path to JsonArray(it.values.map(::JsonPrimitive)) }))
             put("seeds", seeds?.let { JsonArray(it.map(::JsonPrimitive)) } ?: JsonPrimitive(null as String?))
+            put("name", JsonPrimitive(name))
             put("scenario", scenario)
         }
-        WholeFile.write(path, JSON.encodeToString(JsonElement.serializer(), tree) + "\n")
+        return JSON.encodeToString(JsonElement.serializer(), tree) + "\n"
     }
 
     companion object {
@@ -92,6 +129,8 @@ internal class SweepRecord(
                     SweptKey(key, values.jsonArray.map { it.jsonPrimitive.content })
                 },
                 (tree["seeds"] as? JsonArray)?.map { it.jsonPrimitive.content.toLong() },
+                // Earlier versions did not note it.
+                tree["name"]?.jsonPrimitive?.content ?: "scenario",
             )
         } catch (e: IOException) {
             throw FormatException("$path: cannot be read: ${reasonOf(e, path)}")

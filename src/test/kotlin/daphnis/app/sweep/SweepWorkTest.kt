@@ -14,6 +14,9 @@ import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import java.nio.file.Files
 import java.nio.file.Path
+import java.util.concurrent.Callable
+import java.util.concurrent.CountDownLatch
+import java.util.concurrent.Executors
 
 class SweepWorkTest {
     @TempDir
@@ -81,22 +84,66 @@ class SweepWorkTest {
         assertTrue(result.numbers.isEmpty())
     }
 
+    private fun record(scenario: String, keys: List<SweptKey>, seeds: List<Long>?) =
+        SweepRecord(JsonPrimitive(scenario), keys, seeds, "name")
+
+    @Test
+    fun `of processes that begin together one writes the record, and the others compare theirs`() {
+        for (draw in 1..20) {
+            val directory = SweepDirectory(folder.resolve("shared-$draw"))
+            val start = CountDownLatch(1)
+            val pool = Executors.newFixedThreadPool(6)
+            val outcomes = (0 until 6).map { k ->
+                pool.submit(
+                    Callable {
+                        start.await()
+                        // A third of them are of another sweep.
+                        runCatching {
+                            directory.join(
+                                record(
+                                    "scenario",
+                                    plan.keys,
+                                    if (k % 3 ==
+                                        2
+                                    ) {
+                                        null
+                                    } else {
+                                        plan.seeds
+                                    },
+                                ),
+                            )
+                        }
+                    },
+                )
+            }
+            start.countDown()
+            val refused = outcomes.map { it.get() }.map { it.exceptionOrNull() }
+            pool.shutdown()
+            val isOther = directory.known().difference(record("scenario", plan.keys, null)) == null
+            for ((k, e) in refused.withIndex()) {
+                assertEquals((k % 3 == 2) == isOther, e == null) { "$draw: $k: $e" }
+                assertTrue(e == null || e is InputException && "--seeds was" in e.message!!) { "$e" }
+            }
+            assertEquals(listOf("sweep.json"), directory.path.toFile().list()!!.toList())
+        }
+    }
+
     @Test
     fun `a directory holds one sweep at a time, and says where another differs`() {
         val a = SweepDirectory(folder.resolve("a"))
-        val record = SweepRecord(JsonPrimitive("scenario"), plan.keys, plan.seeds)
+        val record = record("scenario", plan.keys, plan.seeds)
         a.claim(record).use {
             val e = assertThrows(InputException::class.java) { a.claim(record) }
             assertTrue("another process" in e.message!!)
         }
         a.claim(record).close()
         for ((other, why) in listOf(
-            SweepRecord(JsonPrimitive("scenario"), plan.keys.take(2), plan.seeds) to
+            record("scenario", plan.keys.take(2), plan.seeds) to
                 "--set particles.count was 100 and is not given",
-            SweepRecord(JsonPrimitive("scenario"), plan.keys.reversed(), plan.seeds) to "in the order",
-            SweepRecord(JsonPrimitive("scenario"), plan.keys, null) to "--seeds was 1,2 and is not given",
-            SweepRecord(JsonPrimitive("scenario"), plan.keys, (1L..4).toList()) to "--seeds was 1,2 and is 1..4",
-            SweepRecord(JsonPrimitive("another"), plan.keys, plan.seeds) to "was \"scenario\" and is \"another\"",
+            record("scenario", plan.keys.reversed(), plan.seeds) to "in the order",
+            record("scenario", plan.keys, null) to "--seeds was 1,2 and is not given",
+            record("scenario", plan.keys, (1L..4).toList()) to "--seeds was 1,2 and is 1..4",
+            record("another", plan.keys, plan.seeds) to "was \"scenario\" and is \"another\"",
         )) {
             val e = assertThrows(InputException::class.java) { a.claim(other) }
             assertTrue(why in e.message!!) { e.message!! }

@@ -4,6 +4,7 @@ import daphnis.cluster.hosts.HostPort
 import daphnis.cluster.security.Secret
 import daphnis.core.input.InputException
 import daphnis.core.input.WayOut
+import daphnis.core.parallel.Cores
 import daphnis.core.parallel.ThreadHandler
 import java.nio.file.Path
 import java.time.Duration
@@ -27,7 +28,7 @@ public data class ClusterSettings @JvmOverloads constructor(
     val host: String = LOOPBACK,
     val port: Int = 0,
     val join: List<HostPort> = emptyList(),
-    val threads: Int = Runtime.getRuntime().availableProcessors(),
+    val threads: Int = Cores.ofJob,
     val secret: Secret = Secret.NONE,
     val bind: String? = null,
     val insecure: Boolean = false,

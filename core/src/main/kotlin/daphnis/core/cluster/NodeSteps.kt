@@ -6,6 +6,7 @@ import daphnis.core.collision.CollisionCounters
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.parallel.ClosableLoop
+import daphnis.core.parallel.Cores
 import daphnis.core.parallel.FixedPool
 import daphnis.core.parallel.LoopStrategy
 import daphnis.core.parallel.ParallelLoop
@@ -65,7 +66,7 @@ internal class NodeSteps(
     private var lossStep = 0L
 
     /** For sums over spheres that are at home. */
-    private val handler = FixedPool(Runtime.getRuntime().availableProcessors())
+    private val handler = FixedPool(Cores.ofJob)
     private val gate = ClosableLoop(ParallelLoop(handler, LoopStrategy.DYNAMIC), CollisionEngine.CLOSED)
     override val name: String get() = "cluster"
     override val loop: RangeLoop get() = gate

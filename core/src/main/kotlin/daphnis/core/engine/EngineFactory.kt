@@ -1,5 +1,7 @@
 package daphnis.core.engine
 
+import daphnis.core.parallel.Cores
+
 /** Makes engines by name. */
 public interface EngineFactory {
     /** The names known here, the one to recommend first. */
@@ -24,7 +26,7 @@ public interface EngineFactory {
         /** [threads], or as many as the machine has when that is 0. */
         @JvmStatic
         public fun threadsOrAll(threads: Int): Int = if (threads == 0) {
-            Runtime.getRuntime().availableProcessors()
+            Cores.ofJob
         } else {
             threads
         }

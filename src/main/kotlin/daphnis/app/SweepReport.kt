@@ -1,0 +1,68 @@
+package daphnis.app
+
+import com.github.ajalt.clikt.core.ProgramResult
+import daphnis.analysis.sweep.Sweep
+import daphnis.analysis.sweep.SweepPlots
+import daphnis.analysis.sweep.SweepRun
+import daphnis.analysis.sweep.SweepTables
+import daphnis.analysis.sweep.SweepText
+import daphnis.app.printing.printLine
+import daphnis.app.printing.printLines
+import daphnis.app.printing.warn
+import daphnis.app.sweep.SweepOrder
+import daphnis.core.format.WholeFile
+
+/** Prints what has come of the runs of a sweep, and writes its tables and plots. */
+internal class SweepReport(private val order: SweepOrder, private val quiet: Boolean) {
+    private val place = order.place
+
+    /** Makes tables and plots of [done] runs. @throws ProgramResult when some failed */
+    fun conclude(done: List<SweepRun>) {
+        val keys = order.plan.varying.map { it.path }
+        val sweep = Sweep(keys, done, keys.map { order.label.of(it) })
+        printLines(table(SweepText(sweep)))
+        var plots = 0
+        writing(place.path) {
+            val tables = SweepTables(sweep)
+            tables.writeMeans(place.means)
+            tables.writeRuns(place.runs)
+            WholeFile.write(place.text, "# ${order.title}\n\n${SweepText(sweep).text(WIDE)}\n")
+            val drawn = SweepPlots(sweep)
+            plots = drawn.write(place.plots)
+            drawn.missing?.let { warn("there are no PNG pictures in ${place.plots}, only SVG: $it") }
+        }
+        if (!quiet) {
+            printLine("")
+            printLine("${if (plots == 0) "tables" else "tables and plots"} are in ${place.path}")
+        }
+        requireNoneFailed(done) { "see ${place.runs}" }
+    }
+
+    /** Says how [done] runs of a [part] of the sweep have ended. @throws ProgramResult when some failed */
+    fun concludePart(part: String, done: List<SweepRun>) {
+        for (run in done) run.failure?.let { warn("${run.name}: $it") }
+        if (!quiet) {
+            val finished = done.count { it.failure == null }
+            printLine("$part: $finished of ${done.size} runs are finished; `--collect` makes the tables of all parts")
+        }
+        requireNoneFailed(done) { "the same command tries them again" }
+    }
+
+    private fun requireNoneFailed(done: List<SweepRun>, advice: () -> String) {
+        val failed = done.count { it.failure != null }
+        if (failed == 0) return
+        throw ProgramResult(complain("$failed of ${done.size} runs failed, ${advice()}", EXIT_FAILED))
+    }
+
+    /** Beside each other stand as many points as have place; where not even one has, all are listed below. */
+    private fun table(sweep: SweepText): String {
+        val columns = outputColumns() ?: return sweep.text(WIDE)
+        val text = sweep.text(columns)
+        return fitted(if (isWide(text.lines(), columns)) sweep.text(Int.MAX_VALUE) else text, columns)
+    }
+
+    private companion object {
+        /** Columns of a table where there is no terminal. */
+        const val WIDE = 120
+    }
+}
