@@ -37,6 +37,7 @@ from .scenarios import Scenario, scenario, scenarios
 from .simulation import Simulation
 from .starting import resume, run
 from .states import State
+from .sweeps import Outcome, Sweep, Task, collect, run_task, sweep
 
 _end_by_signal()
 
@@ -50,6 +51,7 @@ __all__ = [
     "InputError",
     "Interrupted",
     "JavaError",
+    "Outcome",
     "Picture",
     "Report",
     "Restitution",
@@ -61,17 +63,22 @@ __all__ = [
     "Spheres",
     "State",
     "States",
+    "Sweep",
+    "Task",
     "__version__",
     "acceleration",
     "analyze",
+    "collect",
     "contact_law",
     "kick",
     "restitution",
     "resume",
     "roughness",
     "run",
+    "run_task",
     "scenario",
     "scenarios",
     "start",
+    "sweep",
     "universe",
 ]

@@ -11,10 +11,7 @@ import com.github.ajalt.clikt.parameters.options.option
 import com.github.ajalt.clikt.parameters.types.double
 import com.github.ajalt.clikt.parameters.types.int
 import daphnis.app.printing.printLine
-import daphnis.app.printing.reasonInWords
 import daphnis.app.printing.warn
-import daphnis.app.sweep.KeyLabel
-import daphnis.app.sweep.PlannedRun
 import daphnis.app.sweep.RunWords
 import daphnis.app.sweep.SweepDirectory
 import daphnis.app.sweep.SweepOrder
@@ -22,14 +19,7 @@ import daphnis.app.sweep.SweepPart
 import daphnis.app.sweep.SweepPlan
 import daphnis.app.sweep.SweepRecord
 import daphnis.core.input.InputException
-import daphnis.core.run.RunDirectory
 import daphnis.core.run.adviceOn
-import daphnis.core.run.engineOf
-import daphnis.core.scenario.Scenario
-import daphnis.core.scenario.ScenarioJson
-import daphnis.core.scenario.ScenarioSetup
-import kotlinx.serialization.json.Json
-import java.nio.file.Files
 import java.nio.file.Path
 
 /** `daphnis sweep`. */
@@ -116,26 +106,23 @@ class SweepCommand : CliktCommand(name = "sweep") {
     private fun orderOfCommand(): SweepOrder {
         val word = checkNotNull(scenario)
         val plan = SweepPlan.of(settings, seeds)
-        val base = scenarioNamed(word, emptyList())
         // A file that is changed later changes no run.
-        val scenarios = plan.runs.associateWith { run -> scenarioOf(run) { scenarioNamed(word, it) } }
+        val base = scenarioNamed(word, emptyList())
         requireEngine()
-        val record = SweepRecord(Json.parseToJsonElement(ScenarioJson.write(base)), plan.keys, plan.seeds, word)
         val place = out?.let { pathOf(it, "--out") } ?: Path.of("runs").resolve("${directoryName(base.name)}-sweep")
-        return SweepOrder(plan, SweepDirectory(place), record, word, KeyLabel(base.units), scenarios)
+        return order(SweepDirectory(place), SweepRecord.of(base, plan, word))
     }
 
     /** The sweep that is in the directory. */
     private fun orderOfRecord(): SweepOrder {
         val place = SweepDirectory(pathOf(checkNotNull(out), "--out"))
-        val record = place.known()
-        val plan = record.plan()
-        val scenarios = plan.runs.associateWith { run -> scenarioOf(run, record::scenario) }
-        return SweepOrder(plan, place, record, record.name, KeyLabel(record.scenario(emptyList()).units), scenarios)
+        return order(place, place.known())
     }
 
+    private fun order(place: SweepDirectory, record: SweepRecord) = SweepOrder(place, record, engine) { changedBy(it) }
+
     private fun printList(order: SweepOrder) {
-        requireStartable(order)
+        order.requireStartable(allEngines)
         val words = RunWords(order.title, engine)
         order.plan.runs.forEachIndexed { k, run ->
             printLine("${k + 1} ${run.name} ${words.of(run, order.place.run(run.name))}")
@@ -147,7 +134,7 @@ class SweepCommand : CliktCommand(name = "sweep") {
         order.place.claim(order.record, mayHaveRuns = true).use { lock ->
             lock.notice?.let(::warn)
             val found = runs.collect(order.plan.runs)
-            val missing = order.plan.runs.map { it.name } - found.map { it.name }.toSet()
+            val missing = order.missing(found)
             if (found.isEmpty()) {
                 throw ProgramResult(complain("none of the ${missing.size} runs is finished", EXIT_FAILED))
             }
@@ -160,7 +147,7 @@ class SweepCommand : CliktCommand(name = "sweep") {
     }
 
     private fun carryOut(order: SweepOrder, part: SweepPart, runs: SweepRuns, report: SweepReport) {
-        requireStartable(order)
+        order.requireStartable(allEngines)
         writing(order.place.path.toAbsolutePath().parent) { order.place.join(order.record) }
         val own = part.of(order.plan.runs)
         runs.carryOut(own) { outcome ->
@@ -171,7 +158,7 @@ class SweepCommand : CliktCommand(name = "sweep") {
     }
 
     private fun carryOut(order: SweepOrder, runs: SweepRuns, report: SweepReport) {
-        requireStartable(order)
+        order.requireStartable(allEngines)
         writing(order.place.path.toAbsolutePath().parent) {
             order.place.claim(order.record)
         }.use { lock ->
@@ -196,36 +183,10 @@ class SweepCommand : CliktCommand(name = "sweep") {
         throw ProgramResult(EXIT_INTERRUPTED)
     }
 
-    private fun scenarioOf(run: PlannedRun, read: (List<String>) -> Scenario): Scenario {
-        val seed = listOfNotNull(run.seed?.let { "seed=$it" })
-        val shorthand = listOfNotNull(engine?.let { "engine.name=$it" })
-        // Threads are shared out, unless the command line says how many.
-        val words = listOf("engine.threads=0") + run.settings + shorthand + seed
-        return read(words).changedBy(run.settings + seed)
-    }
-
     private fun requireEngine() {
         val name = engine ?: return
         if (name in allEngines.names) return
         throw InputException("--engine", null, "'$name' is no engine; ${adviceOn(name, allEngines)}")
-    }
-
-    /** Wrong values are told before anything is written; seeds change none. Runs that have begun were checked then. */
-    private fun requireStartable(order: SweepOrder) {
-        val plan = order.plan
-        val begun = { run: PlannedRun -> Files.exists(RunDirectory(order.place.run(run.name)).scenario) }
-        for (run in plan.runs.filterNot(begun).distinctBy { it.settings }) {
-            try {
-                ScenarioSetup.check(order.scenarioOf(run), order.title)
-                engineOf(order.scenarioOf(run), order.title, allEngines).close()
-            } catch (e: InputException) {
-                // What is wrong with one key may be so only together with others.
-                val others = plan.varying.indices.filter { plan.varying[it].path != e.key }
-                    .map { "${plan.varying[it].path}=${run.values[it]}" }
-                val where = if (others.isEmpty()) "" else "; this is with ${others.joinToString(", ")}"
-                throw InputException("", null, reasonInWords(e) + where)
-            }
-        }
     }
 
     private companion object {

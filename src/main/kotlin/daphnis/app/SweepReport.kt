@@ -16,21 +16,33 @@ import daphnis.core.format.WholeFile
 internal class SweepReport(private val order: SweepOrder, private val quiet: Boolean) {
     private val place = order.place
 
+    /** Writes tables and plots of [done] runs, and calls [tell] with what a user should know of them. */
+    fun write(done: List<SweepRun>, tell: (String) -> Unit) {
+        write(sweepOf(done), tell)
+    }
+
+    private fun sweepOf(done: List<SweepRun>): Sweep {
+        val keys = order.plan.varying.map { it.path }
+        return Sweep(keys, done, keys.map { order.label.of(it) })
+    }
+
+    /** @return the number of plots */
+    private fun write(sweep: Sweep, tell: (String) -> Unit): Int = writing(place.path) {
+        val tables = SweepTables(sweep)
+        tables.writeMeans(place.means)
+        tables.writeRuns(place.runs)
+        WholeFile.write(place.text, "# ${order.title}\n\n${SweepText(sweep).text(WIDE)}\n")
+        val drawn = SweepPlots(sweep)
+        drawn.write(place.plots).also {
+            drawn.missing?.let { why -> tell("there are no PNG pictures in ${place.plots}, only SVG: $why") }
+        }
+    }
+
     /** Makes tables and plots of [done] runs. @throws ProgramResult when some failed */
     fun conclude(done: List<SweepRun>) {
-        val keys = order.plan.varying.map { it.path }
-        val sweep = Sweep(keys, done, keys.map { order.label.of(it) })
+        val sweep = sweepOf(done)
         printLines(table(SweepText(sweep)))
-        var plots = 0
-        writing(place.path) {
-            val tables = SweepTables(sweep)
-            tables.writeMeans(place.means)
-            tables.writeRuns(place.runs)
-            WholeFile.write(place.text, "# ${order.title}\n\n${SweepText(sweep).text(WIDE)}\n")
-            val drawn = SweepPlots(sweep)
-            plots = drawn.write(place.plots)
-            drawn.missing?.let { warn("there are no PNG pictures in ${place.plots}, only SVG: $it") }
-        }
+        val plots = write(sweep, ::warn)
         if (!quiet) {
             printLine("")
             printLine("${if (plots == 0) "tables" else "tables and plots"} are in ${place.path}")

@@ -120,6 +120,10 @@ internal class SweepRecord(
         private val JSON = Json { prettyPrint = true }
         private const val LONGEST = 60
 
+        /** That of the runs of [plan] of the scenario [base], which was called [name]. */
+        fun of(base: Scenario, plan: SweepPlan, name: String): SweepRecord =
+            SweepRecord(Json.parseToJsonElement(ScenarioJson.write(base)), plan.keys, plan.seeds, name)
+
         /** @throws FormatException when it cannot be read or is no such file */
         fun read(path: Path): SweepRecord = try {
             val tree = JSON.parseToJsonElement(Files.readString(path)).jsonObject
