@@ -83,6 +83,7 @@ internal class CommandCheck {
         val name = invocation.command.commandName
         if (name !in WITH_SCENARIO) return null
         val scenario = invocation.argumentInvocations.flatMap { it.values }.firstOrNull()
+        if (scenario == null && "--collect" in options) return null
         val settings = options["--set"].orEmpty()
         val seeds = options["--seeds"]?.single()
         val all = if (name == "sweep") SweepPlan.of(settings, seeds).runs.map { it.settings } else listOf(settings)

@@ -9,7 +9,7 @@ import java.util.function.LongSupplier
  *
  * The present way is measured all the time. Now and then another is tried, for 20 ms and two stretches of steps that
  * belong together, and the one with the shorter steps goes on. A way that has won is tried against the one before
- * soon, and one that loses waits twice as long each time.
+ * soon, and one that loses waits twice as long each time, eight times as long as its trial took at least.
  *
  * ```
  *   A ──▶ B? ──▶ A ──────▶ B? ──▶ B ──▶ A? ──▶ B ──────▶ A? ──▶ …
@@ -50,17 +50,14 @@ internal class QuickerWay(waits: LongArray, private val clock: LongSupplier = Lo
     private val spell = LongArray(waits.size) { MEASURED }
 
     /**
-     * Begins a step, which can be taken in the [allowed] ways only. When these change, the first of them is taken until
-     * another has won.
+     * Begins a step, which can be taken in the [allowed] ways only. The first of them is taken until another has won.
      *
      * @return the way to take it
      */
     fun choose(allowed: IntArray): Int {
-        if (!allowed.contentEquals(this.allowed)) {
-            this.allowed = allowed
-            winner = allowed[0]
-            turnTo(winner)
-        }
+        this.allowed = allowed
+        if (winner !in allowed) winner = allowed[0]
+        if (way !in allowed) turnTo(winner)
         patience = maxOf(MOST_LOSS * (quickestOther()?.let { known[it] } ?: Double.POSITIVE_INFINITY), LEAST_PATIENCE)
         begin = clock.asLong
         return way
@@ -69,19 +66,31 @@ internal class QuickerWay(waits: LongArray, private val clock: LongSupplier = Lo
     /** Whether the present step takes far longer than in another way, so that it is better given up. */
     val isLate: Boolean get() = clock.asLong - begin > patience
 
-    /** Ends a step with which a stretch [begins], or which belongs to the stretch before. */
-    fun finish(begins: Boolean) {
+    /**
+     * Ends a step with which a stretch [begins], or which belongs to the stretch before.
+     *
+     * @param ends whether the stretch ends with the step, too; then a way that is far slower is not tried any longer
+     */
+    fun finish(begins: Boolean, ends: Boolean = false) {
         val taken = clock.asLong - begin
         if (begins) {
             val before = way
-            if (stretches >= LEAST_STRETCHES && time >= MEASURED) judge()
+            if (isEnough()) judge()
             // A stretch that began in another way is not measured.
             if (way == before) stretches++
         }
         if (stretches == 0) return
         time += taken
         steps++
+        if (!ends) return
+        if (way != winner && time > MOST_LOSS * known[winner] * steps) {
+            lose(time)
+        } else if (isEnough()) {
+            judge()
+        }
     }
+
+    private fun isEnough() = stretches >= LEAST_STRETCHES && time >= MEASURED
 
     /** Ends a step that was given up, and was then taken in another way. */
     fun giveUp() {
@@ -115,7 +124,8 @@ internal class QuickerWay(waits: LongArray, private val clock: LongSupplier = Lo
 
     /** The present way has lost, after it was [tried] for so long. */
     private fun lose(tried: Long) {
-        spell[way] = maxOf(minOf(2 * spell[way], LONGEST), tried * TIMES_A_TRIAL)
+        val longest = maxOf(LONGEST, tried * MOST_TIMES_A_TRIAL)
+        spell[way] = (2 * spell[way]).coerceIn(tried * TIMES_A_TRIAL, longest)
         left[way] = spell[way]
         turnTo(winner)
     }
@@ -144,6 +154,7 @@ internal class QuickerWay(waits: LongArray, private val clock: LongSupplier = Lo
         const val AFTER_CHANGE = 4 * MEASURED
         const val LONGEST = 128 * MEASURED
         private const val TIMES_A_TRIAL = 8
+        private const val MOST_TIMES_A_TRIAL = 64
 
         /** How much shorter the steps of another way must be. */
         private const val CLEARLY = 0.97

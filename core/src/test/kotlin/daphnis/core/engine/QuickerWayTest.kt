@@ -43,16 +43,25 @@ class QuickerWayTest {
     }
 
     @Test
-    fun `a trial that takes long makes the way wait for eight times as long`() {
-        // Two stretches of a second each: 16 s, however often it has lost.
-        val ways = steps(120, 500_000_000, 1_000_000_000)
-        val stretches = ways.stretches()
-        assertTrue(
-            stretches.drop(2).dropLast(1).filterIndexed { k, _ ->
-                k % 2 == 0
-            }.all { it in 33..50 },
-        ) { "$stretches" }
-        assertTrue(stretches.size >= 5) { "$stretches" }
+    fun `a trial that takes long makes the way wait for eight times as long, and then longer`() {
+        // Two stretches of a second each: 16 s, and twice as long each time, up to 128.
+        val stretches = steps(1200, 500_000_000, 1_000_000_000).stretches().dropLast(1)
+        val spells = stretches.drop(2).filterIndexed { k, _ -> k % 2 == 0 }
+        assertEquals(listOf(33, 65, 129, 257, 257), spells.take(5)) { "$stretches" }
+    }
+
+    @Test
+    fun `where each step is a stretch, a way that is far slower is left after one`() {
+        var lost = 0L
+        val ways = List(20_000) {
+            quicker.choose(both).also { way ->
+                now += if (way == 0) 200_000_000 else 20_000_000_000
+                if (way == 1) lost += 20_000_000_000
+                quicker.finish(begins = true, ends = true)
+            }
+        }
+        assertTrue(ways.stretches().filterIndexed { k, _ -> k % 2 == 1 }.dropLast(1).all { it == 1 })
+        assertTrue(lost > 0 && lost < 0.03 * now) { "$lost of $now" }
     }
 
     @Test

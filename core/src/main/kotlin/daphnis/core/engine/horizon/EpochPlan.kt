@@ -26,6 +26,10 @@ internal class EpochPlan {
     var sharesCollisions = true
         private set
 
+    /** Whether the present epoch is expected to be so much quicker than the serial engine that it is not compared. */
+    var isFarAhead = false
+        private set
+
     /** The best layout that has been considered, and what it is expected to cost. */
     private var best: HorizonTuning? = null
     private var least = 0.0
@@ -70,6 +74,7 @@ internal class EpochPlan {
             isPossible = true
         }
         if (isPossible && (best?.steps ?: 1) == 1) considerWindows(cost, HorizonTuning(1, bound, deviation))
+        isFarAhead = best != null && cost.serial() > FAR_AHEAD * least
         return best?.let { begins(it) } ?: refused()
     }
 
@@ -244,6 +249,9 @@ internal class EpochPlan {
         /** Expected cost, in units of that of the serial engine, below which an epoch is begun. */
         const val WORTH = 0.88
         const val REST = 16
+
+        /** Times the expected cost. */
+        const val FAR_AHEAD = 3.0
 
         /** The same for an epoch of a fixed layout. */
         const val MOST = 2.0

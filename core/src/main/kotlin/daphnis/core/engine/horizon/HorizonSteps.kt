@@ -110,7 +110,7 @@ public class HorizonSteps internal constructor(
         if (lists.take(step, beforeWriting)) {
             epoch.drop()
             prospect?.passed(step, step.counters.collisions - before)
-            judge?.finish(begins = true)
+            judge?.finish(begins = true, ends = true)
             return true
         }
         filters.passed(size)
@@ -143,15 +143,24 @@ public class HorizonSteps internal constructor(
         val collisions = step.counters.collisions - before
         if (size > 0) epoch.plan.observe(collisions.toDouble() / size)
         prospect?.passed(step, collisions)
-        judge?.finish(begins = true)
+        judge?.finish(begins = true, ends = true)
     }
 
     /** The ways in which [step] may be taken, by one worker only where it [isAlone]; the first is where to begin. */
-    private fun waysOf(step: CollisionStep, isAlone: Boolean): IntArray = when {
-        loop.workers == 1 || isAlone -> FOR_ONE
-        // Giants keep their lines on one thread only.
-        step.population.size < SHARED_SPHERES.toLong() * loop.workers || epoch.hasGiants -> FOR_FEW
-        else -> FOR_MANY
+    private fun waysOf(step: CollisionStep, isAlone: Boolean): IntArray {
+        val own = when {
+            loop.workers == 1 || isAlone -> FOR_ONE
+            // Giants keep their lines on one thread only.
+            step.population.size < SHARED_SPHERES.toLong() * loop.workers || epoch.hasGiants -> FOR_FEW
+            else -> FOR_MANY
+        }
+        // A step that is long for the gas may take the other engine a hundred times as long.
+        return if (lists.isOpen || epoch.plan.isFarAhead) own.own else own.withOther
+    }
+
+    /** Ways of which the first is where to begin. */
+    private class Ways(vararg val own: Int) {
+        val withOther = own + OTHER
     }
 
     /** A loop of small pieces, unless it is to be one. */
@@ -189,9 +198,9 @@ public class HorizonSteps internal constructor(
         internal const val OTHER = 0
         internal const val ALONE = 1
         internal const val SHARED = 2
-        private val FOR_ONE = intArrayOf(ALONE, OTHER)
-        private val FOR_FEW = intArrayOf(ALONE, SHARED, OTHER)
-        private val FOR_MANY = intArrayOf(SHARED, OTHER)
+        private val FOR_ONE = Ways(ALONE)
+        private val FOR_FEW = Ways(ALONE, SHARED)
+        private val FOR_MANY = Ways(SHARED)
 
         /** Nanoseconds until each way is tried: in the first two seconds most of an epoch has not been compiled. */
         private val WAITS = longArrayOf(2_000_000_000, QuickerWay.MEASURED, QuickerWay.MEASURED)

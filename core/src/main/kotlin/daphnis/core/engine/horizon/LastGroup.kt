@@ -46,7 +46,7 @@ internal class LastGroup(
         private set
 
     /**
-     * @param collisions of all groups
+     * @param collisions of all groups in the step so far
      * @return false when the step cannot be ended in this way, or not soon
      */
     fun process(

@@ -87,7 +87,8 @@ internal class SharedCollisions(
         collisions = groups.sumOf { it.impact.counted.collisions }
         each { compare(it) }
         if (space.limits.isExceeded) return false
-        if (!last.process(collisions, step, tracks, due, meetings)) {
+        val before = if (isFirst) 0L else counted.collisions
+        if (!last.process(before + collisions, step, tracks, due, meetings)) {
             hasFailed = last.hasFailed
             return false
         }

@@ -57,9 +57,9 @@ public class IslandsEngine @JvmOverloads constructor(
             if (!grow(step)) goAlone(step)
         } else if (quicker.choose(WAYS) == SERIAL) {
             alone.advance(step)
-            quicker.finish(begins = true)
+            quicker.finish(begins = true, ends = true)
         } else if (grow(step)) {
-            quicker.finish(begins = true)
+            quicker.finish(begins = true, ends = true)
         } else {
             goAlone(step)
             quicker.giveUp()

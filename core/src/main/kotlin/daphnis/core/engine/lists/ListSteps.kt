@@ -38,7 +38,8 @@ internal class ListSteps(
     private val comparison = Comparison(rows, space, lists, events)
 
     /** Whether the rows are those of the end of the last step, and all else holds for them. */
-    private var isOpen = false
+    var isOpen = false
+        private set
 
     /** Duration of the last step, and the steps since lists were built. */
     private var past = 0.0
