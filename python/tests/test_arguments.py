@@ -241,6 +241,8 @@ def test_every_public_class_says_in_a_line_what_it_is(ring: daphnis.Run, tmp_pat
     shown: list[Any] = [ring, ring.scenario, ring.units, ring.states(), ring.last(), report, report.tables, view]
     shown += [report.pictures, report.pictures[next(iter(report.pictures))], simulation, seen[0], contact]
     shown += [ice, looking, both, rough]
+    shown += [daphnis.Task("a", "/nowhere", "{}", "gas"), daphnis.Outcome("a", "/nowhere", True)]
+    shown += [daphnis.Sweep(tmp_path / "gone", [])]
     known = {getattr(daphnis, name) for name in daphnis.__all__} | {View, Units}
     classes = {one for one in known if isinstance(one, type) and not issubclass(one, BaseException)}
     assert classes <= {type(one) for one in shown}

@@ -21,7 +21,7 @@ from .scenarios import scenario as as_scenario
 from .starting import resume, run
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Task:
     """A run of a sweep, not yet made, or begun, or finished. It can be pickled, without Java.
 
@@ -50,8 +50,11 @@ class Task:
             return found if found.finished else resume(self.path, progress=progress)
         return run(json.loads(self.scenario), self.path, threads=self.threads, progress=progress)
 
+    def __repr__(self) -> str:
+        return f"<Task {self.name!r}>"
 
-@dataclass(frozen=True)
+
+@dataclass(frozen=True, repr=False)
 class Outcome:
     """What has come of a task. It can be pickled, without Java.
 
@@ -68,6 +71,10 @@ class Outcome:
     finished: bool
     digest: str | None = None
     failure: str | None = None
+
+    def __repr__(self) -> str:
+        how = "finished" if self.finished else "not finished" if self.failure is None else "failed"
+        return f"<Outcome {self.name!r} {how}>"
 
 
 class Sweep:
