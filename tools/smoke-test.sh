@@ -83,7 +83,7 @@ daphnis $gas --out whole >/dev/null
 # kill -9 in the middle, several times, until it has ended
 "$here/daphnis" $gas --out killed >/dev/null 2>&1 &
 pid=$!
-sleep 2
+until [ -f killed/checkpoint ]; do sleep 0.1; done
 kill -9 $pid 2>/dev/null || true
 wait $pid 2>/dev/null || true
 tries=0

@@ -221,16 +221,8 @@ internal class CollisionGroup(
         if (pairs.giants.keeps(slot, p, t)) return
         if (keepsPaths) {
             val old = paths.pieceOf(place)
-            trails.end(
-                if (old ==
-                    GroupPaths.NONE
-                ) {
-                    trails.add(slot, lines, frame.windowStart, isNew = false)
-                } else {
-                    old
-                },
-                t,
-            )
+            val last = if (old != GroupPaths.NONE) old else trails.add(slot, lines, frame.windowStart, isNew = false)
+            trails.end(last, t)
         }
         lines.put(slot, state[p], state[p + 1], state[p + 2], state[v], state[v + 1], state[v + 2], t)
         val isMember = settle(slot, t)

@@ -57,7 +57,7 @@ internal class DuePairs(
         if (due < frame.steps) calendar.file(due, i, j, code, lines.version[i], lines.version[j])
     }
 
-    /** Whether two spheres touch in this window of the step if they keep the lines they had when it began; files as [ask]. */
+    /** Whether two spheres touch in this window if they keep the lines they had when it began; files as [ask]. */
     fun wouldTouch(i: Int, j: Int, code: Int): Boolean {
         val touches = contact(i, j, code, space.before) <= frame.stepLimit
         if (!touches) fileLater(i, j, code, space.before)

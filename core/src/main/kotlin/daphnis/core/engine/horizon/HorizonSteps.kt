@@ -9,7 +9,6 @@ import daphnis.core.parallel.RangeBody
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.step.CollisionStep
 import daphnis.core.step.PreparedStep
-import java.util.function.LongSupplier
 
 /**
  * Takes steps in epochs, which look ahead over several of them, where that should be quicker, for an engine that takes
@@ -206,11 +205,7 @@ public class HorizonSteps internal constructor(
         private val WAITS = longArrayOf(2_000_000_000, QuickerWay.MEASURED, QuickerWay.MEASURED)
 
         /** What finds out the quickest way, unless somebody wants epochs. */
-        internal fun trialFor(
-            fewest: Int,
-            tuning: HorizonTuning?,
-            waits: LongArray = WAITS,
-            clock: LongSupplier = LongSupplier { System.nanoTime() },
-        ): QuickerWay? = if (fewest > 0 && tuning == null) QuickerWay(waits, clock) else null
+        internal fun trialFor(fewest: Int, tuning: HorizonTuning?): QuickerWay? =
+            if (fewest > 0 && tuning == null) QuickerWay(WAITS) else null
     }
 }
