@@ -29,14 +29,6 @@ public class SweepFolder private constructor(private val order: SweepOrder) {
     /** All runs, in the order of the plan. */
     public val tasks: List<Task> = order.plan.runs.map { Task(it, order.scenarioOf(it), order.place.run(it.name)) }
 
-    /** What the scenario is called in messages. */
-    public val title: String get() = order.title
-
-    /** Where the tables are once they are [collected][collect]: the means, and a row for each run. */
-    public val means: Path get() = order.place.means
-    public val runs: Path get() = order.place.runs
-    public val text: Path get() = order.place.text
-
     /**
      * Makes the tables and plots of all runs that are finished.
      *

@@ -35,7 +35,7 @@ public class CollisionForcingBuilder internal constructor(private val law: Conta
     /**
      * The engine that [engines] call [name], on [threads] threads; made by [build].
      *
-     * @param threads 0 for as many as the machine has
+     * @param threads 0 for one per core, see [daphnis.core.parallel.Cores]
      * @throws IllegalArgumentException when they do not know the name
      */
     public fun engine(name: String, threads: Int, engines: EngineFactory): CollisionForcingBuilder {

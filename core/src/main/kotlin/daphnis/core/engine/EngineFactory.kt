@@ -8,7 +8,7 @@ public interface EngineFactory {
     public val names: List<String>
 
     /**
-     * @param threads 0 for as many threads as the machine has
+     * @param threads 0 for one per core, see [Cores]
      * @return null when the name is not known here
      */
     public fun create(name: String, threads: Int): CollisionEngine?
@@ -23,7 +23,7 @@ public interface EngineFactory {
     public fun successor(name: String): String? = null
 
     public companion object {
-        /** [threads], or as many as the machine has when that is 0. */
+        /** [threads], or one per core when that is 0, see [Cores]. */
         @JvmStatic
         public fun threadsOrAll(threads: Int): Int = if (threads == 0) {
             Cores.ofJob

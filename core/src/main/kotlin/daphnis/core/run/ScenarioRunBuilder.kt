@@ -45,7 +45,7 @@ public class ScenarioRunBuilder internal constructor(private val scenario: Scena
     /** The engine by its name, in place of the scenario's. */
     public fun engine(name: String): ScenarioRunBuilder = set("engine.name=$name")
 
-    /** Threads of the engine, in place of the scenario's; 0 for as many as the machine has. */
+    /** Threads of the engine, in place of the scenario's; 0 for one per core, see [daphnis.core.parallel.Cores]. */
     public fun threads(threads: Int): ScenarioRunBuilder = set("engine.threads=$threads")
 
     /** Who makes the engine; those of this module unless given. */
