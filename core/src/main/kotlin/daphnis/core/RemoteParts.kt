@@ -15,4 +15,7 @@ internal interface RemoteParts : SumParts {
 
     /** Sums by material of the state whose second moments were asked for last, valid until they are again. */
     val materials: MaterialSums
+
+    /** Asks for [which] number, of the force at this place among those of the simulation if it is of one. */
+    fun number(which: CommonNumber, force: Int): Double
 }

@@ -8,6 +8,7 @@ import daphnis.core.force.Force
 import daphnis.core.parallel.ClosableLoop
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.population.Conserved
+import daphnis.core.population.Partition
 import daphnis.core.population.Population
 
 /**
@@ -29,6 +30,7 @@ import daphnis.core.population.Population
  * @param forces act in this order before the drift and in the reverse order after it; a [Drift] next to it
  * @param elsewhere computes the steps in place of this process
  * @param clock gives the times after fixed steps; null for one that begins at [runStart]
+ * @param partition says where the other spheres are, on a node that has a part of them
  */
 public class Simulation internal constructor(
     population: Population,
@@ -42,6 +44,7 @@ public class Simulation internal constructor(
     runStart: Double?,
     elsewhere: RemoteSteps?,
     clock: Clock?,
+    partition: Partition = Partition.Whole,
 ) : AutoCloseable {
     @JvmOverloads
     public constructor(
@@ -114,7 +117,7 @@ public class Simulation internal constructor(
     internal val workforce: Workforce? = elsewhere ?: collisions?.engine
     private val loop = ClosableLoop(workforce?.loop ?: InlineLoop, CLOSED)
     private val steps: Steps =
-        elsewhere ?: LocalSteps(StepPhases(population, boundary, collisions, this.forces, loop), timeStep)
+        elsewhere ?: LocalSteps(StepPhases(population, boundary, collisions, this.forces, loop, partition), timeStep)
     private var opened = false
     private var busy = false
 

@@ -10,6 +10,7 @@ import daphnis.core.force.Force
 import daphnis.core.force.uniformAcceleration
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.parallel.forEachPiece
+import daphnis.core.population.Partition
 import daphnis.core.population.Population
 import daphnis.core.population.firstNotFinite
 import daphnis.core.population.isFinite
@@ -24,13 +25,22 @@ import java.util.function.Supplier
  * @param collisions null for spheres that pass through one another
  * @param forces in the order in which they act before the drift; they have been given their loop
  */
-public class StepPhases(
+public class StepPhases internal constructor(
     private val population: Population,
     private val boundary: BoundaryConditions,
     private val collisions: CollisionForcing?,
     private val forces: List<Force>,
     private val loop: RangeLoop,
+    partition: Partition,
 ) {
+    public constructor(
+        population: Population,
+        boundary: BoundaryConditions,
+        collisions: CollisionForcing?,
+        forces: List<Force>,
+        loop: RangeLoop,
+    ) : this(population, boundary, collisions, forces, loop, Partition.Whole)
+
     init {
         val drift = forces.firstNotNullOfOrNull { it as? Drift }
         collisions?.turning = drift?.turning ?: 0.0
@@ -39,7 +49,7 @@ public class StepPhases(
     }
 
     /** Null where no wall is a piston. */
-    private val pistons = Pistons.of(boundary, collisions?.record, population)
+    private val pistons = Pistons.of(boundary, collisions?.record, population, partition)
 
     private val undo = StepUndo(population, collisions?.counters)
 

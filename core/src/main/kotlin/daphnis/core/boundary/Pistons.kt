@@ -2,6 +2,7 @@ package daphnis.core.boundary
 
 import daphnis.core.collision.CollisionRecord
 import daphnis.core.population.ExactSum
+import daphnis.core.population.Partition
 import daphnis.core.population.Population
 import daphnis.core.wall.WallContact
 import daphnis.core.wall.pistons
@@ -16,6 +17,7 @@ internal class Pistons private constructor(
     private val boundary: BoundaryConditions,
     private val record: CollisionRecord,
     private val largest: Double,
+    private val partition: Partition,
 ) {
     private val faces = boundary.walls.pistons
     private val sums = faces.mapValues { ExactSum() }
@@ -39,6 +41,7 @@ internal class Pistons private constructor(
         for (k in 0 until record.size) {
             if (record.isWall(k)) sums[WallContact.number(record.lower[k])]?.add(record.impulse(k))
         }
+        partition.merge(sums.values.toTypedArray())
         for ((face, piston) in faces) {
             val inward = if (face and 1 == 0) 1.0 else -1.0
             piston.move(duration, inward * sums.getValue(face).value())
@@ -65,14 +68,22 @@ internal class Pistons private constructor(
          * Those of [boundary] around [population]; null where it has none.
          *
          * @param record of the collisions of each step
+         * @param partition says where the other spheres are
          * @throws IllegalArgumentException when there is no record
          */
-        fun of(boundary: BoundaryConditions, record: CollisionRecord?, population: Population): Pistons? {
+        fun of(
+            boundary: BoundaryConditions,
+            record: CollisionRecord?,
+            population: Population,
+            partition: Partition,
+        ): Pistons? {
             if (boundary.walls.pistons.isEmpty()) return null
             requireNotNull(record) {
                 "a piston takes up the impulses of collisions; make CollisionForcing with recordCollisions = true"
             }
-            return Pistons(boundary, record, population.radius.maxOrNull() ?: 0.0)
+            val largest = doubleArrayOf(population.radius.maxOrNull() ?: 0.0)
+            partition.max(largest)
+            return Pistons(boundary, record, largest[0], partition)
         }
     }
 }

@@ -1,5 +1,6 @@
 package daphnis.core.cluster
 
+import daphnis.core.CommonNumber
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.collision.CollisionRecord
 import daphnis.core.collision.Counter
@@ -15,6 +16,9 @@ internal enum class Command {
 
     /** Second moments around the means that follow, and sums by material, whose number follows these. */
     CENTRAL_SUMS,
+
+    /** A [CommonNumber] whose place follows, of the force whose place follows that. */
+    NUMBER,
 }
 
 /** How a node answers [Command.STEP]. */
@@ -26,6 +30,7 @@ internal enum class Answer { DONE, FAILED, FAILED_ELSEWHERE }
  * @property scenario as the run has resolved it, in JSON
  * @property step number of steps since the start of the run
  * @property time at the end of that step
+ * @property boundary what its boundary carries besides the spheres
  * @property records whether collisions are recorded
  * @property threads by rank
  * @property ids all ids of the run, where they are not dense
@@ -35,12 +40,14 @@ internal class Begin(
     val scenario: String,
     val step: Long,
     val time: Double,
+    val boundary: DoubleArray,
     val records: Boolean,
     val threads: IntArray,
     val ids: IntArray?,
     val idCount: Int,
 ) {
-    fun message(): ByteBuffer = MessageWriter().text(scenario).long(step).double(time).byte(if (records) 1 else 0)
+    fun message(): ByteBuffer = MessageWriter().text(scenario).long(step).double(time)
+        .int(boundary.size).doubles(boundary).byte(if (records) 1 else 0)
         .int(threads.size).ints(threads).int(idCount).int(ids?.size ?: -1).ints(ids ?: IntArray(0)).message()
 
     companion object {
@@ -48,11 +55,13 @@ internal class Begin(
             val scenario = from.text()
             val step = from.long
             val time = from.double
+            val boundary = from.doubles(from.int)
             val records = from.get().toInt() == 1
             val threads = from.ints(from.int)
             val idCount = from.int
             val sparse = from.int
-            return Begin(scenario, step, time, records, threads, if (sparse < 0) null else from.ints(sparse), idCount)
+            val ids = if (sparse < 0) null else from.ints(sparse)
+            return Begin(scenario, step, time, boundary, records, threads, ids, idCount)
         }
     }
 }
@@ -64,6 +73,7 @@ internal class Begin(
  * @property total number of spheres of all nodes
  * @property held number of spheres that the node holds
  * @property seconds that the step took
+ * @property boundary what the boundary carries besides the spheres
  */
 internal class StepDone(
     val time: Double,
@@ -71,6 +81,7 @@ internal class StepDone(
     val total: Int,
     val held: Int,
     val seconds: Double,
+    val boundary: DoubleArray,
     val cost: NodeCost,
     val counted: CollisionCounters,
     val record: CollisionRecord?,
@@ -87,6 +98,7 @@ internal class NodeCost(val redone: Long, val haloSpheres: Int, val bytesSent: L
 
 internal fun MessageWriter.stepDone(done: StepDone): MessageWriter = apply {
     double(done.time).double(done.duration).int(done.total).int(done.held).double(done.seconds)
+    int(done.boundary.size).doubles(done.boundary)
     long(done.cost.redone).int(done.cost.haloSpheres).long(done.cost.bytesSent)
     for (counter in Counter.entries) long(done.counted[counter])
     record(done.record)
@@ -98,6 +110,7 @@ internal fun ByteBuffer.stepDone(): StepDone = StepDone(
     int,
     int,
     double,
+    doubles(int),
     NodeCost(long, int, long),
     CollisionCounters().also { for (counter in Counter.entries) it[counter] = long },
     record(),

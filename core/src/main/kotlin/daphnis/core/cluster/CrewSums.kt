@@ -1,5 +1,6 @@
 package daphnis.core.cluster
 
+import daphnis.core.CommonNumber
 import daphnis.core.RemoteParts
 import daphnis.core.force.EnergySums
 import daphnis.core.parallel.RangeLoop
@@ -68,6 +69,13 @@ internal class CrewSums(setup: ScenarioSetup) : RemoteParts {
             materialsOfNode.parts.read(answer)
             materials.parts.merge(materialsOfNode.parts)
         }
+    }
+
+    override fun number(which: CommonNumber, force: Int): Double {
+        val answers = ArrayList<Double>()
+        crew!!.ask(Command.NUMBER, { it.byte(which.ordinal).int(force) }) { answers += it.double }
+        check(answers.all { it.toRawBits() == answers[0].toRawBits() }) { "nodes have found $which to be $answers" }
+        return answers[0]
     }
 }
 

@@ -4,12 +4,8 @@ import daphnis.core.RemoteSteps
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.engine.EngineFactory
-import daphnis.core.force.MutualGravity
-import daphnis.core.force.RadialGravity
-import daphnis.core.input.InputException
 import daphnis.core.population.Population
 import daphnis.core.scenario.ScenarioSetup
-import daphnis.core.scenario.WallFacesSpec
 import java.time.Duration
 import java.util.function.Consumer
 
@@ -43,33 +39,12 @@ public class FleetEngines internal constructor(
     /** None: nodes compute, in place of the engines of this process. */
     override fun create(name: String, threads: Int): CollisionEngine? = null
 
-    /**
-     * The steps of the run of [setup], from [state] at [time] after [step].
-     *
-     * @throws InputException for a force that needs all spheres in one place, for spheres that grow, and for a piston
-     */
+    /** The steps of the run of [setup], from [state] at [time] after [step]. */
     internal fun steps(
         setup: ScenarioSetup,
-        source: String,
         state: Population,
         forcing: CollisionForcing,
         time: Double,
         step: Long,
-    ): RemoteSteps {
-        if (!setup.boundary.walls.areKnownAhead) {
-            throw InputException(
-                source,
-                WallFacesSpec.KEY,
-                "has a piston, which nodes do not move yet; run it on one machine",
-            )
-        }
-        if (setup.boundary.growth != null) {
-            throw InputException(source, "growth", "is not computed by nodes yet; run it on one machine")
-        }
-        if (setup.forces.any { it is MutualGravity && it !is RadialGravity }) {
-            val mend = "has self-gravity, which nodes cannot compute yet; run it on one machine, or take radial-modes"
-            throw InputException(source, "forces", mend)
-        }
-        return NodeSteps(fleet, setup, state, forcing, time, step, patience, copies) { log.accept(it) }
-    }
+    ): RemoteSteps = NodeSteps(fleet, setup, state, forcing, time, step, patience, copies) { log.accept(it) }
 }

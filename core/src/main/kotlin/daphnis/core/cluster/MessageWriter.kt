@@ -67,14 +67,20 @@ internal class MessageWriter(capacity: Int = INITIAL) {
 }
 
 /** The next [count] doubles. */
-internal fun ByteBuffer.doubles(count: Int): DoubleArray = DoubleArray(count).also {
-    asDoubleBuffer().get(it)
+internal fun ByteBuffer.doubles(count: Int): DoubleArray = DoubleArray(count).also { doubles(count, it, 0) }
+
+/** The same, to entries [at] and following of [into]. */
+internal fun ByteBuffer.doubles(count: Int, into: DoubleArray, at: Int) {
+    asDoubleBuffer().get(into, at, count)
     position(position() + count * Double.SIZE_BYTES)
 }
 
 /** The next [count] ints. */
-internal fun ByteBuffer.ints(count: Int): IntArray = IntArray(count).also {
-    asIntBuffer().get(it)
+internal fun ByteBuffer.ints(count: Int): IntArray = IntArray(count).also { ints(count, it, 0) }
+
+/** The same, to entries [at] and following of [into]. */
+internal fun ByteBuffer.ints(count: Int, into: IntArray, at: Int) {
+    asIntBuffer().get(into, at, count)
     position(position() + count * Int.SIZE_BYTES)
 }
 

@@ -3,6 +3,10 @@ package daphnis.core.cluster
 import daphnis.core.population.ExactSum
 import daphnis.core.population.Partition
 import daphnis.core.population.Population
+import daphnis.core.population.PopulationColumns
+import daphnis.core.population.SphereColumns
+import daphnis.core.population.SphereQuantity
+import java.nio.ByteBuffer
 
 /** The spheres that the nodes of a crew hold together. */
 internal class NodePartition(private val turns: Turns) : Partition {
@@ -29,4 +33,35 @@ internal class NodePartition(private val turns: Turns) : Partition {
     }
 
     override fun max(numbers: DoubleArray) = turns.max(numbers)
+
+    override fun everyone(population: Population): SphereColumns {
+        if (turns.size == 1) return population
+        val heard = ArrayList<ByteBuffer>()
+        turns.tell({ writeMasses(population) }) { _, message -> heard += message }
+        val size = population.size + heard.sumOf { it.getInt(it.position()) }
+        val columns = Array(SphereQuantity.WIDTH) { if (it in MASSES) DoubleArray(size) else SphereQuantity.NONE }
+        val ids = IntArray(size)
+        for (place in MASSES) population.column(place).copyInto(columns[place], 0, 0, population.size)
+        population.id.copyInto(ids, 0, 0, population.size)
+        var at = population.size
+        for (message in heard) {
+            val count = message.int
+            for (place in MASSES) message.doubles(count, columns[place], at)
+            message.ints(count, ids, at)
+            at += count
+        }
+        return PopulationColumns(columns, ids)
+    }
+
+    private fun MessageWriter.writeMasses(population: Population) {
+        room(HEAD + population.size.toLong() * (MASSES.size * Double.SIZE_BYTES + Int.SIZE_BYTES))
+        int(population.size)
+        for (place in MASSES) doubles(population.column(place), 0, population.size)
+        ints(population.id, 0, population.size)
+    }
+
+    private companion object {
+        val MASSES = SphereQuantity.POSITION.places.toList() + SphereQuantity.MASS.places
+        const val HEAD = Int.SIZE_BYTES
+    }
 }

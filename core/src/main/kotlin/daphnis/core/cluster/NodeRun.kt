@@ -2,6 +2,7 @@
 
 package daphnis.core.cluster
 
+import daphnis.core.CommonNumber
 import daphnis.core.FreePathTimeStep
 import daphnis.core.Output
 import daphnis.core.PerSphereTimeStep
@@ -9,17 +10,17 @@ import daphnis.core.Simulation
 import daphnis.core.StoppingTimeStep
 import daphnis.core.Stops
 import daphnis.core.TimeStep
+import daphnis.core.boundary.state
 import daphnis.core.collision.CollisionCounters
-import daphnis.core.force.BodyGravity
-import daphnis.core.force.RadialGravity
-import daphnis.core.force.thermostat.Thermostat
 import daphnis.core.measure
 import daphnis.core.parallel.FixedPool
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.IdPlaces
+import daphnis.core.population.Partitioned
 import daphnis.core.population.Population
 import daphnis.core.scenario.ScenarioJson
 import daphnis.core.scenario.ScenarioSetup
+import java.nio.ByteBuffer
 
 /** What a node does for the runs of scenarios: it advances its part of the spheres as the leader of its crew asks. */
 @JvmName("ofRuns")
@@ -38,10 +39,9 @@ internal class NodeRun(private val mail: Mail, private val threads: Int) {
         val begin = Begin.read(mail.receive(Mail.LEADER))
         population = receivePart(begin)
         val setup = ScenarioSetup.of(ScenarioJson.parse(begin.scenario, SOURCE), SOURCE, population)
-        for (force in setup.forces) {
-            if (force is BodyGravity) force.partition = NodePartition(turns)
-            if (force is RadialGravity) force.partition = NodePartition(turns)
-            if (force is Thermostat) force.partition = NodePartition(turns)
+        setup.boundary.state = begin.boundary
+        for (part in (setup.forces + setup.boundary).filterIsInstance<Partitioned>()) {
+            part.partition = NodePartition(turns)
         }
         NodeEngine(turns, begin.threads, FixedPool(threads)).use {
             engine = it
@@ -73,6 +73,7 @@ internal class NodeRun(private val mail: Mail, private val threads: Int) {
             scenario.startTime,
             null,
             scenario.clock,
+            NodePartition(turns),
         )
     }
 
@@ -90,8 +91,14 @@ internal class NodeRun(private val mail: Mail, private val threads: Int) {
                 Command.GATHER -> SpheresWire.send(mail, Mail.LEADER, population)
                 Command.FIRST_SUMS -> mail.send(Mail.LEADER, sums.first(simulation.time))
                 Command.CENTRAL_SUMS -> mail.send(Mail.LEADER, sums.central(question))
+                Command.NUMBER -> mail.send(Mail.LEADER, number(question))
             }
         }
+    }
+
+    private fun number(question: ByteBuffer): ByteBuffer {
+        val number = CommonNumber.entries[question.get().toInt()].of(simulation, question.int)
+        return MessageWriter().double(number).message()
     }
 
     private fun step() {
@@ -125,6 +132,7 @@ internal class NodeRun(private val mail: Mail, private val threads: Int) {
             engine.total,
             population.size,
             seconds,
+            simulation.boundary.state,
             engine.cost,
             counters.since(before),
             collisions.record,

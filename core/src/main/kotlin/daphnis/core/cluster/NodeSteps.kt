@@ -2,6 +2,7 @@ package daphnis.core.cluster
 
 import daphnis.core.RemoteParts
 import daphnis.core.RemoteSteps
+import daphnis.core.boundary.state
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.CollisionForcing
@@ -40,6 +41,7 @@ internal class NodeSteps(
     private val log: (String) -> Unit,
 ) : RemoteSteps {
     private val scenario = ScenarioJson.write(setup.scenario)
+    private val boundary = setup.boundary
     private val sums = CrewSums(setup)
 
     @Volatile
@@ -48,12 +50,14 @@ internal class NodeSteps(
     /** The state at home is that after this step. */
     private var homeStep = startStep
     private var homeTime = startTime
+    private var homeBoundary = boundary.state
 
     /** The last step that stands. */
     private var step = startStep
     private var time = startTime
     private val before = CollisionCounters()
     private var timeBefore = startTime
+    private var boundaryBefore = homeBoundary
     private var isCarried = false
 
     @Volatile
@@ -78,6 +82,7 @@ internal class NodeSteps(
     override fun begin() {
         before.set(forcing.counters)
         timeBefore = time
+        boundaryBefore = boundary.state
         isCarried = false
     }
 
@@ -97,6 +102,7 @@ internal class NodeSteps(
         forcing.record?.takeAll(done)
         report.add(done)
         time = end
+        boundary.state = done[0].boundary
     }
 
     override fun commit() {
@@ -111,6 +117,7 @@ internal class NodeSteps(
             dismiss()
         }
         isCarried = false
+        boundary.state = boundaryBefore
         forcing.counters.set(before)
         forcing.record?.clear()
     }
@@ -130,6 +137,7 @@ internal class NodeSteps(
         copies.measure { crew.gather(state) }
         homeStep = crew.step
         homeTime = time
+        homeBoundary = boundary.state
     }
 
     /** When nodes have come, the crew ends here, and all that are there now begin. */
@@ -210,7 +218,8 @@ internal class NodeSteps(
         val places = state.idsByPlace
         val threads = IntArray(nodes.size) { nodes[it].threads }
         this.threads = threads.sum()
-        val begin = Begin(scenario, homeStep, homeTime, forcing.record != null, threads, places.ranked, places.count)
+        val records = forcing.record != null
+        val begin = Begin(scenario, homeStep, homeTime, homeBoundary, records, threads, places.ranked, places.count)
         made.begin(begin, state)
         return made
     }

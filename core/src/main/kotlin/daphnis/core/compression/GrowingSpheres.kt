@@ -9,6 +9,8 @@ import daphnis.core.force.Drift
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.FirstMoments
+import daphnis.core.population.Partition
+import daphnis.core.population.Partitioned
 import daphnis.core.population.Population
 import daphnis.core.population.PopulationFold
 import daphnis.core.population.SphereSum
@@ -44,7 +46,9 @@ public class GrowingSpheres @JvmOverloads constructor(
     public val thermostat: Boolean = true,
 ) : PerSphereBoundary,
     Growth,
-    Drift {
+    Drift,
+    Partitioned {
+    override var partition: Partition = Partition.Whole
     private val periodic = Periodic(box)
     private var loop: RangeLoop = InlineLoop
     private val fold = PopulationFold(null, Int.MAX_VALUE)
@@ -76,7 +80,7 @@ public class GrowingSpheres @JvmOverloads constructor(
 
     override fun fillingFactor(population: Population): Double {
         val radius = population.radius
-        return SphereSum().of(population) { space.volume(radius[it]) } / box.volume
+        return SphereSum().of(population, partition) { space.volume(radius[it]) } / box.volume
     }
 
     override val approach: Double get() = gamma / scale
@@ -118,8 +122,9 @@ public class GrowingSpheres @JvmOverloads constructor(
     }
 
     private fun requireRoom(population: Population, end: Double) {
-        if (population.size == 0) return
-        val largest = population.radius.max() * scale
+        val radius = doubleArrayOf(population.radius.maxOrNull() ?: 0.0)
+        partition.max(radius)
+        val largest = radius[0] * scale
         for (axis in 0 until space.dimensions) {
             if (2 * largest * SLIGHTLY_MORE < box.length(axis)) continue
             gamma = 0.0
@@ -157,13 +162,13 @@ public class GrowingSpheres @JvmOverloads constructor(
             for (k in first until last) radius[k] *= by
         }
         val energy = energy(population, rateBefore)
-        val n = population.size
+        val n = sums.spheres
         val isKnown = energyBefore > 0 && energy > 0 && by != 1.0
         val work = StrictMath.log(energy / energyBefore) / (2 * StrictMath.log(by))
         reducedPressure = if (isKnown) 1 + (n - 1.0) / n * work else Double.NaN
         if (!thermostat || !(energyBefore > 0 && energy > 0)) return
         val factor = sqrt(energyBefore / energy)
-        loop.runLight(n) { _, first, last ->
+        loop.runLight(population.size) { _, first, last ->
             for (axis in 0 until AXES) {
                 val v = population.velocity(axis)
                 val mean = means[axis]
@@ -180,6 +185,7 @@ public class GrowingSpheres @JvmOverloads constructor(
      */
     private fun energy(population: Population, gamma: Double): Double {
         fold.over(population, loop) { fold.first(sums) }
+        sums.mergeAll(partition)
         val mass = sums.mass
         val total = sums.kineticEnergy
         var energy = total
@@ -190,7 +196,7 @@ public class GrowingSpheres @JvmOverloads constructor(
         }
         val widest = (0 until space.dimensions).maxOf { abs(gamma) * box.length(it) }
         val rounding = maxOf(LOST * total, LOST_IN_FLOW * mass * widest * widest)
-        return if (population.size > 1 && energy > rounding) energy else 0.0
+        return if (sums.spheres > 1 && energy > rounding) energy else 0.0
     }
 
     internal companion object {

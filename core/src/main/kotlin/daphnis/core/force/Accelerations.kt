@@ -1,6 +1,7 @@
 package daphnis.core.force
 
 import daphnis.core.parallel.RangeLoop
+import daphnis.core.population.Partition
 import daphnis.core.population.Population
 
 /**
@@ -18,9 +19,16 @@ internal class Accelerations {
     private var atY = DoubleArray(0)
     private var atZ = DoubleArray(0)
     private var time = Double.NaN
+    private val isOther = DoubleArray(1)
 
-    /** Whether they are those of [p] at [time]. */
-    fun areOf(p: Population, time: Double): Boolean = time == this.time &&
+    /** Whether they are those of [p] at [time], on every node of [partition]. */
+    fun areOf(p: Population, time: Double, partition: Partition): Boolean {
+        isOther[0] = if (areOf(p, time)) 0.0 else 1.0
+        partition.max(isOther)
+        return isOther[0] == 0.0
+    }
+
+    private fun areOf(p: Population, time: Double): Boolean = time == this.time &&
         atX.size == p.size &&
         atX.contentEquals(p.x) &&
         atY.contentEquals(p.y) &&

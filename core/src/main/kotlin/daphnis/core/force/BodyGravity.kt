@@ -6,6 +6,7 @@ import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.ExactSum
 import daphnis.core.population.Partition
+import daphnis.core.population.Partitioned
 import daphnis.core.population.Population
 import daphnis.core.population.SphereSum
 import daphnis.core.space.Images
@@ -26,13 +27,12 @@ public class BodyGravity @JvmOverloads constructor(
     private val boundary: BoundaryConditions,
     private val constant: Double,
     private val softening: Double = 0.0,
-) : Kick {
+) : Kick,
+    Partitioned {
+    override var partition: Partition = Partition.Whole
     private var loop: RangeLoop = InlineLoop
     private val images = Images()
     private val sum = SphereSum()
-
-    /** Whether there are more spheres than those of the population. */
-    internal var partition: Partition = Partition.Whole
 
     // Position and mass of each body, and the components of the pull of all spheres on it.
     private val place = DoubleArray(4 * bodies.size)
@@ -115,14 +115,15 @@ public class BodyGravity @JvmOverloads constructor(
         val p = population
         val d = DoubleArray(3)
         var energy = 0.0
+        partition.find(p, bodies, place)
         for (n in bodies.indices) {
-            val body = p.indexOf(bodies[n])
-            if (body < 0) continue
-            energy += sum.of(p) { k ->
-                towardNearest(d, p.x[body] - p.x[k], p.y[body] - p.y[k], p.z[body] - p.z[k])
+            val b = 4 * n
+            if (place[b].isNaN()) continue
+            energy += sum.of(p, partition) { k ->
+                towardNearest(d, place[b] - p.x[k], place[b + 1] - p.y[k], place[b + 2] - p.z[k])
                 val d2 = d[0] * d[0] + d[1] * d[1] + d[2] * d[2] + softening * softening
-                val isCounted = k != body && d2 > 0 && !isEarlierBody(p.id[k], n)
-                if (isCounted) -constant * p.mass[body] * p.mass[k] / sqrt(d2) else 0.0
+                val isCounted = p.id[k] != bodies[n] && d2 > 0 && !isEarlierBody(p.id[k], n)
+                if (isCounted) -constant * place[b + 3] * p.mass[k] / sqrt(d2) else 0.0
             }
         }
         return energy

@@ -2,7 +2,7 @@ package daphnis.core.force
 
 import daphnis.core.growth.GrowingTable
 import daphnis.core.growth.IntList
-import daphnis.core.population.Population
+import daphnis.core.population.SphereColumns
 
 /**
  * An octree over a population for sums of gravity (Barnes & Hut 1986, Nature 324, 446). Spheres are sorted along a
@@ -19,7 +19,7 @@ import daphnis.core.population.Population
  * ```
  */
 internal class GravityTree : GrowingTable() {
-    /** Index in the population by place on the curve. */
+    /** Index among the spheres by place on the curve. */
     var order = IntArray(0)
         private set
 
@@ -54,7 +54,7 @@ internal class GravityTree : GrowingTable() {
     private var spareOrder = IntArray(0)
     private val counts = IntArray(1 shl DIGIT)
 
-    fun build(population: Population) {
+    fun build(population: SphereColumns) {
         val n = population.size
         makeRoom(n)
         computeKeys(population)
@@ -71,6 +71,12 @@ internal class GravityTree : GrowingTable() {
         if (n > 0) divide(0, n, TOP_SHIFT)
     }
 
+    /** Whether one of the first [count] spheres is in [leaf]. */
+    fun hasAny(leaf: Int, count: Int): Boolean {
+        for (place in from[leaf] until to[leaf]) if (order[place] < count) return true
+        return false
+    }
+
     private fun makeRoom(n: Int) {
         if (mass.size >= n) return
         order = IntArray(n)
@@ -80,7 +86,7 @@ internal class GravityTree : GrowingTable() {
         columns = Array(4) { DoubleArray(n) }
     }
 
-    private fun computeKeys(p: Population) {
+    private fun computeKeys(p: SphereColumns) {
         val n = p.size
         val low = DoubleArray(3)
         var extent = 0.0

@@ -145,8 +145,12 @@ internal class GravityWalk(
         return apart * apart
     }
 
-    /** Writes the acceleration of every sphere of the leaf, Σ a_y Δx and the potential, by index in the population. */
+    /**
+     * Writes the acceleration of every sphere of the leaf that is among the first [count], Σ a_y Δx and the potential,
+     * by index.
+     */
     fun sum(
+        count: Int,
         constant: Double,
         ax: DoubleArray,
         ay: DoubleArray,
@@ -155,9 +159,10 @@ internal class GravityWalk(
         potential: DoubleArray,
     ) {
         for (place in tree.from[leaf] until tree.to[leaf]) {
+            val index = tree.order[place]
+            if (index >= count) continue
             sumWhole(tree.x[place], tree.y[place], tree.z[place])
             addCutOff(tree.x[place], tree.y[place], tree.z[place])
-            val index = tree.order[place]
             ax[index] = constant * fx
             ay[index] = constant * fy
             az[index] = constant * fz

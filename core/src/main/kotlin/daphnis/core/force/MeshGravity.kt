@@ -9,7 +9,10 @@ import daphnis.core.force.mesh.NearPulls
 import daphnis.core.force.mesh.SheetMesh
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
+import daphnis.core.population.Partition
+import daphnis.core.population.Partitioned
 import daphnis.core.population.Population
+import daphnis.core.population.SphereColumns
 import daphnis.core.population.SphereSum
 
 /**
@@ -32,7 +35,9 @@ public class MeshGravity @JvmOverloads constructor(
     public val constant: Double,
     public val softening: Double = 0.0,
     public val spacing: Double = 0.0,
-) : MutualGravity {
+) : MutualGravity,
+    Partitioned {
+    override var partition: Partition = Partition.Whole
     private var loop: RangeLoop = InlineLoop
     private val cells = MeshCells()
     private val sum = SphereSum()
@@ -45,6 +50,9 @@ public class MeshGravity @JvmOverloads constructor(
     // From the last evaluation, by index in the population, as [last].
     private var stress = DoubleArray(0)
     private var potential = DoubleArray(0)
+
+    /** How many of the first spheres are those of the population. */
+    private var own = 0
 
     /** Whether stress and potential are of that evaluation, too. */
     private var isMeasured = false
@@ -80,7 +88,7 @@ public class MeshGravity @JvmOverloads constructor(
         evaluate(population, time)
         val mesh = mesh ?: return 0.0
         measure()
-        val near = sum.of(population) { k -> -0.5 * population.mass[k] * stress[k] }
+        val near = sum.of(population, partition) { k -> -0.5 * population.mass[k] * stress[k] }
         // Takes the place of the potentials, which nobody needs any more.
         fill(mesh)
         return near - 0.5 * constant * mesh.stress(loop, cells.offset)
@@ -93,18 +101,20 @@ public class MeshGravity @JvmOverloads constructor(
     override fun potentialEnergy(population: Population, boundary: BoundaryConditions, time: Double): Double {
         evaluate(population, time)
         measure()
-        return sum.of(population) { k -> 0.5 * population.mass[k] * potential[k] }
+        return sum.of(population, partition) { k -> 0.5 * population.mass[k] * potential[k] }
     }
 
     private fun evaluate(population: Population, time: Double) {
-        if (last.areOf(population, time)) return
+        if (last.areOf(population, time, partition)) return
         last.begin(population.size)
         isMeasured = false
         makeRoom(population.size)
-        if (population.size > 0) {
-            val mesh = meshFor(population)
+        val all = partition.everyone(population)
+        own = population.size
+        if (all.size > 0) {
+            val mesh = meshFor(all)
             val box = boundary.box
-            cells.sort(population, mesh.points, box.lowerX, box.lowerY, boundary.shear?.offset(time) ?: 0.0)
+            cells.sort(all, mesh.points, box.lowerX, box.lowerY, boundary.shear?.offset(time) ?: 0.0)
             fill(mesh)
             mesh.solve(loop, cells.offset)
             read(mesh)
@@ -125,7 +135,7 @@ public class MeshGravity @JvmOverloads constructor(
     }
 
     /** One of the last evaluations, where it fits: how high spheres rise goes up and down. */
-    private fun meshFor(p: Population): SheetMesh {
+    private fun meshFor(p: SphereColumns): SheetMesh {
         val points = pointsFor(p)
         val found = meshes.find { it.points == points } ?: SheetMesh(points)
         if (mesh !== found) {
@@ -137,7 +147,7 @@ public class MeshGravity @JvmOverloads constructor(
         return found
     }
 
-    private fun pointsFor(p: Population): MeshPoints {
+    private fun pointsFor(p: SphereColumns): MeshPoints {
         var lowest = Double.POSITIVE_INFINITY
         var highest = Double.NEGATIVE_INFINITY
         for (k in 0 until p.size) {
@@ -163,9 +173,10 @@ public class MeshGravity @JvmOverloads constructor(
             val far = weights[worker]
             val near = pulls[worker]
             for (place in from until to) {
+                val k = cells.order[place]
+                if (k >= own) continue
                 far.read(mesh, place)
                 near.pull(place)
-                val k = cells.order[place]
                 ax[k] = constant * (far.ax + near.ax)
                 ay[k] = constant * (far.ay + near.ay)
                 az[k] = constant * (far.az + near.az)
@@ -177,16 +188,17 @@ public class MeshGravity @JvmOverloads constructor(
     private fun measure() {
         val mesh = mesh ?: return
         if (isMeasured) return
-        val own = CompactShape(mesh.points.reach).middle
+        val self = CompactShape(mesh.points.reach).middle
         loop.run(cells.count, SPHERES) { worker, from, to ->
             val far = weights[worker]
             val near = pulls[worker]
             for (place in from until to) {
+                val k = cells.order[place]
+                if (k >= own) continue
                 far.read(mesh, place)
                 near.measure(place)
-                val k = cells.order[place]
                 stress[k] = constant * near.stress
-                potential[k] = -constant * (far.depth + near.depth - cells.mass[place] * own)
+                potential[k] = -constant * (far.depth + near.depth - cells.mass[place] * self)
             }
         }
         isMeasured = true

@@ -7,6 +7,7 @@ import daphnis.core.force.mesh.CubicSpline
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.Partition
+import daphnis.core.population.Partitioned
 import daphnis.core.population.Population
 import daphnis.core.population.SphereSum
 import kotlin.math.floor
@@ -29,15 +30,15 @@ public class RadialGravity(
     private val boundary: BoundaryConditions,
     public val constant: Double,
     public val modes: Int,
-) : MutualGravity {
+) : MutualGravity,
+    Partitioned {
+    override var partition: Partition = Partition.Whole
     private var loop: RangeLoop = InlineLoop
     private val sum = SphereSum()
 
     /** Along x; those along y and z stay 0. */
     private val last = Accelerations()
 
-    /** Whether there are more spheres than those of the population. */
-    internal var partition: Partition = Partition.Whole
     private val points: Int
     private val transform: BatchTransform
     private val corrections: DoubleArray
@@ -88,12 +89,11 @@ public class RadialGravity(
     /** ½ Σ m Φ, with the potential of the waves, whose mean is 0. */
     override fun potentialEnergy(population: Population, boundary: BoundaryConditions, time: Double): Double {
         evaluate(population, time)
-        return sum.of(population) { k -> 0.5 * population.mass[k] * potential[k] }
+        return sum.of(population, partition) { k -> 0.5 * population.mass[k] * potential[k] }
     }
 
     private fun evaluate(population: Population, time: Double) {
-        // Nodes have to agree on this, and spheres go from one to another.
-        if (partition === Partition.Whole && last.areOf(population, time)) return
+        if (last.areOf(population, time, partition)) return
         last.begin(population.size)
         if (potential.size < population.size) potential = DoubleArray(population.size)
         if (masses.size < loop.workers) masses = Array(loop.workers) { LongArray(points) }

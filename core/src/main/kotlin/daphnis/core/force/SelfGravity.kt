@@ -4,6 +4,8 @@ import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.prepare
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
+import daphnis.core.population.Partition
+import daphnis.core.population.Partitioned
 import daphnis.core.population.Population
 import daphnis.core.population.SphereSum
 import daphnis.core.space.Images
@@ -33,7 +35,9 @@ public class SelfGravity @JvmOverloads constructor(
     public val openingAngle: Double = 0.5,
     public val softening: Double = 0.0,
     images: Int = 1,
-) : MutualGravity {
+) : MutualGravity,
+    Partitioned {
+    override var partition: Partition = Partition.Whole
     private var loop: RangeLoop = InlineLoop
     private val tree = GravityTree()
     private val periodicImages = Images()
@@ -73,7 +77,7 @@ public class SelfGravity @JvmOverloads constructor(
 
     override fun stressXY(population: Population, time: Double): Double {
         evaluate(population, time)
-        return sum.of(population) { k -> -0.5 * population.mass[k] * stress[k] }
+        return sum.of(population, partition) { k -> -0.5 * population.mass[k] * stress[k] }
     }
 
     /**
@@ -83,24 +87,25 @@ public class SelfGravity @JvmOverloads constructor(
      */
     override fun potentialEnergy(population: Population, boundary: BoundaryConditions, time: Double): Double {
         evaluate(population, time)
-        return sum.of(population) { k -> 0.5 * population.mass[k] * potential[k] }
+        return sum.of(population, partition) { k -> 0.5 * population.mass[k] * potential[k] }
     }
 
     private fun evaluate(population: Population, time: Double) {
-        if (last.areOf(population, time)) return
+        if (last.areOf(population, time, partition)) return
         last.begin(population.size)
         if (potential.size < population.size) {
             stress = DoubleArray(population.size)
             // Assigned last, as in Accelerations.
             potential = DoubleArray(population.size)
         }
-        tree.build(population)
+        tree.build(partition.everyone(population))
         periodicImages.prepare(boundary, time)
         cut.choose(periodicImages)
         if (walks.size < loop.workers) walks = Array(loop.workers) { GravityWalk(tree, openingAngle, softening, cut) }
         loop.run(tree.leaves.size, LEAVES_A_PIECE) { worker, from, to ->
             val walk = walks[worker]
             for (leaf in from until to) {
+                if (!tree.hasAny(tree.leaves[leaf], population.size)) continue
                 walk.begin(tree.leaves[leaf])
                 for (code in cut.codes) {
                     walk.collect(
@@ -109,7 +114,7 @@ public class SelfGravity @JvmOverloads constructor(
                         periodicImages.shift(code, 2),
                     )
                 }
-                walk.sum(constant, last.x, last.y, last.z, stress, potential)
+                walk.sum(population.size, constant, last.x, last.y, last.z, stress, potential)
             }
         }
         last.keep(population, time)

@@ -78,6 +78,19 @@ internal class FirstMoments(private val axis: Int, firstBody: Int) {
         greatest = maxOf(greatest, other.greatest)
     }
 
+    /** Makes these the sums over all parts of [partition], each of which does so. */
+    fun mergeAll(partition: Partition) {
+        partition.merge(particles + bodies)
+        val counts = doubleArrayOf(count.toDouble(), spheres.toDouble())
+        partition.add(counts)
+        count = counts[0].toInt()
+        spheres = counts[1].toInt()
+        val ends = doubleArrayOf(-least, greatest)
+        partition.max(ends)
+        least = -ends[0]
+        greatest = ends[1]
+    }
+
     /** Writes the sums in at most [MOST_BYTES], for [read]. */
     fun write(into: ByteBuffer) {
         into.putInt(count).putInt(spheres).putDouble(least).putDouble(greatest)

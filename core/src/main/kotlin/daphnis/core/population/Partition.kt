@@ -2,26 +2,32 @@ package daphnis.core.population
 
 /**
  * The rest of the spheres, where a population is only what one node holds of them. All nodes call the same functions in
- * the same order.
+ * the same order; each call is a message to the others. Without nodes there is no rest ([Whole]).
  */
-internal interface Partition {
+public interface Partition {
     /**
-     * Fills [place] with x, y, z and mass of the spheres with these [ids], four numbers each, wherever they are;
-     * NaN for one that is nowhere.
+     * Fills [place] with x, y, z and mass of the spheres with these [ids], four numbers each, whichever node has them;
+     * NaN for one that is nowhere. [population] is this node's.
      */
-    fun find(population: Population, ids: IntArray, place: DoubleArray)
+    public fun find(population: Population, ids: IntArray, place: DoubleArray)
 
     /** Makes each of [sums] over the spheres of one node that over those of all. */
-    fun merge(sums: Array<ExactSum>)
+    public fun merge(sums: Array<ExactSum>)
 
     /** Makes each of [numbers], which are whole and below 2⁵³ in all, the sum over all nodes; exact in any order. */
-    fun add(numbers: DoubleArray)
+    public fun add(numbers: DoubleArray)
 
     /** Makes each of [numbers] the greatest of all nodes. */
-    fun max(numbers: DoubleArray)
+    public fun max(numbers: DoubleArray)
+
+    /**
+     * Positions, masses and ids of the spheres of all nodes, without anything else: those of [population] come first, in
+     * its order. Valid until the population changes.
+     */
+    public fun everyone(population: Population): SphereColumns
 
     /** There is no rest. */
-    object Whole : Partition {
+    public object Whole : Partition {
         override fun find(population: Population, ids: IntArray, place: DoubleArray) {
             for (n in ids.indices) {
                 val k = population.indexOf(ids[n])
@@ -32,10 +38,21 @@ internal interface Partition {
             }
         }
 
-        override fun merge(sums: Array<ExactSum>) = Unit
+        override fun merge(sums: Array<ExactSum>): Unit = Unit
 
-        override fun add(numbers: DoubleArray) = Unit
+        override fun add(numbers: DoubleArray): Unit = Unit
 
-        override fun max(numbers: DoubleArray) = Unit
+        override fun max(numbers: DoubleArray): Unit = Unit
+
+        override fun everyone(population: Population): SphereColumns = population
     }
+}
+
+/**
+ * What sums over all spheres, or needs to see them all. On a node it is given the [partition] of its crew; from then on
+ * all nodes call it at the same places, and each gets what it would give for all spheres in one place.
+ */
+public interface Partitioned {
+    /** The spheres of the other nodes; none of them at first. */
+    public var partition: Partition
 }

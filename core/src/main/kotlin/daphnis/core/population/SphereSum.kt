@@ -10,12 +10,15 @@ internal class SphereSum {
     /** For one block. */
     val terms = DoubleArray(ParticleBlock.SPHERES)
 
-    /** Σ [term] over [population]. */
-    fun of(population: Population, term: SphereTerm): Double {
+    private val sums = arrayOf(sum)
+
+    /** Σ [term] over [population], and over those of the other nodes of [partition]. */
+    fun of(population: Population, partition: Partition = Partition.Whole, term: SphereTerm): Double {
         sum.clear()
         addBlocks(0, population.size, sum) { from, to, into ->
             for (k in from until to) into[k - from] = term.of(k)
         }
+        partition.merge(sums)
         return sum.value()
     }
 

@@ -1,5 +1,6 @@
 package daphnis.core.run
 
+import daphnis.core.CommonNumber
 import daphnis.core.Output
 import daphnis.core.Simulation
 import daphnis.core.cluster.FleetEngines
@@ -52,7 +53,7 @@ internal class RunPlan(
     /** Whether the run ends before [until], with the present state. */
     fun isOver(): Boolean {
         val growth = simulation.boundary.growth ?: return false
-        return scenario?.growth?.isOver(simulation.population, growth) ?: false
+        return scenario?.growth?.isOver(growth.reducedPressure) { CommonNumber.FILLING_FACTOR.anywhere(simulation) } ?: false
     }
 
     override fun close() {
@@ -98,7 +99,7 @@ internal fun planOf(
         meta?.reducedPressure?.let { setup.boundary.growth?.resume(it) }
         val time = meta?.time ?: scenario.startTime
         val step = meta?.step ?: 0
-        val elsewhere = nodes?.steps(setup, source, setup.population, forcing, time, step)
+        val elsewhere = nodes?.steps(setup, setup.population, forcing, time, step)
         Simulation(
             setup.population, setup.boundary, forcing, setup.timeStep, setup.forces, emptyList(), time, step,
             scenario.startTime, elsewhere, scenario.clock,

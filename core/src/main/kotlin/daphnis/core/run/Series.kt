@@ -1,5 +1,6 @@
 package daphnis.core.run
 
+import daphnis.core.CommonNumber
 import daphnis.core.Output
 import daphnis.core.Simulation
 import daphnis.core.boundary.Growth
@@ -139,7 +140,7 @@ public object SeriesColumns : TableColumns {
 
     @JvmField
     public val FILLING_FACTOR: Column = rows.number("filling_factor") { row ->
-        row.growth?.fillingFactor(row.simulation.population) ?: Double.NaN
+        CommonNumber.FILLING_FACTOR.anywhere(row.simulation)
     }
 
     @JvmField

@@ -1,5 +1,6 @@
 package daphnis.core.run
 
+import daphnis.core.CommonNumber
 import daphnis.core.Simulation
 import daphnis.core.force.EnergySums
 import daphnis.core.force.Force
@@ -7,6 +8,7 @@ import daphnis.core.orbit.OrbitalFrequencies
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.MaterialSums
+import daphnis.core.population.Partitioned
 import daphnis.core.population.PopulationSums
 import daphnis.core.population.SpinSums
 import daphnis.core.wave.ModeSums
@@ -112,6 +114,9 @@ internal class StepSums(
     fun potentialEnergy(simulation: Simulation, force: Force): Double {
         val energies = energiesIn(simulation)
         val time = simulation.time
+        if (force is Partitioned) {
+            return CommonNumber.POTENTIAL_ENERGY.anywhere(simulation, simulation.forces.indexOf(force))
+        }
         if (!energies.have(force)) return force.potentialEnergy(simulation.population, simulation.boundary, time)
         of(simulation)
         if (!hasEnergies) energies.take(simulation.population, time, loopOf(simulation))

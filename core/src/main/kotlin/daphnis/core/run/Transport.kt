@@ -1,5 +1,6 @@
 package daphnis.core.run
 
+import daphnis.core.CommonNumber
 import daphnis.core.Opening
 import daphnis.core.Output
 import daphnis.core.OutputState
@@ -42,10 +43,10 @@ internal class Transport(private val times: OutputTimes, private val sums: StepS
     private val statistics = CollisionStatistics()
     private val walls = if (sums.areWallsDriven) WallStatistics() else null
     private val heat = if (sums.haveHeat) HeatStatistics() else null
-    private var gravity: MutualGravity? = null
+    private var gravity = -1
 
     override fun open(simulation: Simulation, opening: Opening) {
-        gravity = simulation.forces.filterIsInstance<MutualGravity>().firstOrNull()
+        gravity = simulation.forces.indexOfFirst { it is MutualGravity }
     }
 
     override fun write(simulation: Simulation) {
@@ -71,16 +72,20 @@ internal class Transport(private val times: OutputTimes, private val sums: StepS
     }
 }
 
-/** The source of a row of `transport.csv`; [collisions], [walls] and [heat] count from the start of the run. */
+/**
+ * The source of a row of `transport.csv`; [collisions], [walls] and [heat] count from the start of the run.
+ *
+ * @param gravity the place of mutual gravity among the forces; −1 without it
+ */
 internal class TransportRow(
     val simulation: Simulation,
     val sums: PopulationSums,
     val collisions: CollisionStatistics,
     val walls: WallStatistics?,
     val heat: HeatStatistics?,
-    private val gravity: MutualGravity?,
+    private val gravity: Int,
 ) {
-    val gravityXY: Double get() = gravity?.stressXY(simulation.population, simulation.time) ?: 0.0
+    val gravityXY: Double get() = if (gravity < 0) 0.0 else CommonNumber.STRESS_XY.anywhere(simulation, gravity)
 }
 
 /**

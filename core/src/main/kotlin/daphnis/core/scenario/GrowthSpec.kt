@@ -2,7 +2,6 @@ package daphnis.core.scenario
 
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
-import daphnis.core.boundary.Growth
 import daphnis.core.compression.GrowingSpheres
 import daphnis.core.initial.fillingFactor
 import daphnis.core.input.ValueCheck
@@ -35,11 +34,10 @@ public class GrowthSpec @JvmOverloads constructor(
     /** The same with the rate over radii at the time [since]. */
     internal fun since(since: Double?) = GrowthSpec(rate, thermostat, untilFillingFactor, untilPressure, since)
 
-    /** Whether a run ends with [population], which grows by [growth]. */
-    internal fun isOver(population: Population, growth: Growth): Boolean = untilFillingFactor != null &&
-        (growth.fillingFactor(population) >= untilFillingFactor) == (rate > 0) ||
-        untilPressure != null &&
-        growth.reducedPressure >= untilPressure
+    /** Whether a run ends where spheres fill the part [fillingFactor] at the [reducedPressure]. */
+    internal inline fun isOver(reducedPressure: Double, fillingFactor: () -> Double): Boolean =
+        untilFillingFactor != null && (fillingFactor() >= untilFillingFactor) == (rate > 0) ||
+            untilPressure != null && reducedPressure >= untilPressure
 }
 
 /** Checks the growth of a scenario and puts it into its boundary. */

@@ -16,6 +16,7 @@ import org.junit.jupiter.params.provider.EnumSource
 import java.nio.file.Files
 import java.nio.file.Path
 import java.time.Duration
+import java.util.Random
 import java.util.concurrent.ConcurrentHashMap
 import java.util.concurrent.atomic.AtomicInteger
 
@@ -78,6 +79,44 @@ class NodeRowsTest {
             assertEquals(steps, asked.getValue(Command.CENTRAL_SUMS).get())
         }
         case.check(rows("nodes", "series.csv").map { it.split(',') })
+    }
+
+    @ParameterizedTest
+    @EnumSource(names = ["BODIES", "TREE", "MESH", "GROWING", "PISTONS"])
+    fun `rows are the same where nodes die, and what all nodes find together is found again`(case: RowCase) {
+        val expected = serial(case, "output.checkpointEvery=4")
+        val random = Random(case.ordinal.toLong())
+        var lost = 0
+        repeat(4) {
+            val fleet = ThreadFleet(3) { 1 + it % 2 }
+            val left = AtomicInteger(30 + random.nextInt(400))
+            val victim = random.nextInt(3)
+            fleet.onSend = { _, _, _ -> if (left.decrementAndGet() == 0) fleet.kill(victim) }
+            // Copies at some of the steps, so that what is lost is made again from there.
+            var looks = 0
+            val engines = FleetEngines(fleet, Duration.ZERO, { }, CopyClock { ++looks / 5 * 10_000_000_000L })
+            val run = scenario(case, arrayOf("output.checkpointEvery=4"))
+            val found = Run.start(run, "test", home.resolve("nodes"), force = true, engines = engines)
+                .use { it.execute() }
+            assertEquals(expected.stateDigest, found.stateDigest)
+            assertSameRows()
+            lost += fleet.crews - 1
+        }
+        assertTrue(lost > 1) { "only $lost were lost" }
+    }
+
+    @ParameterizedTest
+    @EnumSource(names = ["TREE", "MESH", "GROWING", "PISTONS"])
+    fun `a run goes on with other nodes and without any, from what each has saved`(case: RowCase) {
+        val expected = serial(case, "output.checkpointEvery=2")
+        val run = scenario(case, arrayOf("output.checkpointEvery=2", "engine.name=serial"))
+        fun nodes(count: Int) = FleetEngines(ThreadFleet(count), Duration.ZERO, { }, CopyClock { 0 })
+        val to = home.resolve("nodes")
+        Run.start(run, "test", to, force = true, engines = nodes(3)).use { it.execute(cancelled = { it.simulation.step >= 2 }) }
+        Run.resume(to, engines = Engines).use { it.execute(cancelled = { it.simulation.step >= 4 }) }
+        val found = Run.resume(to, engines = nodes(2)).use { it.execute() }
+        assertEquals(expected.stateDigest, found.stateDigest)
+        assertSameRows()
     }
 
     @Test

@@ -1,13 +1,10 @@
 package daphnis.core.cluster
 
 import daphnis.core.Engines
-import daphnis.core.input.InputException
 import daphnis.core.run.Run
 import daphnis.core.run.Summary
 import daphnis.core.scenario.ScenarioJson
 import org.junit.jupiter.api.Assertions.assertEquals
-import org.junit.jupiter.api.Assertions.assertFalse
-import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
@@ -77,6 +74,17 @@ class NodesAgreeTest {
         """timeStep={"type":"fixed","dt":0.1}""",
     )
 
+    @Test
+    fun `self-gravity, for which every node sees all spheres`() = assertSame(
+        "self-gravity-wakes",
+        3,
+        "untilOrbits=0.02",
+        """forces=[{"type":"self-gravity","method":"mesh","softening":0.1}]""",
+    )
+
+    @Test
+    fun `spheres that grow until they press`() = assertSame("glass", 3, "until=3")
+
     @Tag("thorough")
     @Test
     fun `the wake of a satellite`() = assertSame("satellite-wake", 2, "untilOrbits=0.2")
@@ -121,20 +129,6 @@ class NodesAgreeTest {
         // Five turns of four messages around, some for those near, and a few steps computed again or planned; from
         // each to all others there would be 55 and more.
         assertTrue(perStep in 20.0..40.0) { "$perStep" }
-    }
-
-    @Test
-    fun `self-gravity is refused before anything starts`() {
-        val text = checkNotNull(Run::class.java.getResource("/daphnis/scenarios/self-gravity-wakes.json")).readText()
-        val one = ScenarioJson.parse(text, "wakes", listOf("engine.name=serial"))
-        val fleet = FleetEngines(ThreadFleet(2), PATIENCE)
-        val e = assertThrows(InputException::class.java) { Run.start(one, "wakes", home.resolve("n"), engines = fleet) }
-        assertEquals(
-            "wakes: forces: has self-gravity, which nodes cannot compute yet; run it on one machine, or take " +
-                "radial-modes",
-            e.message,
-        )
-        assertFalse(Files.exists(home.resolve("n")))
     }
 
     private fun scenario(settings: List<String>) = ScenarioJson.parse(SHEARED, "test", settings)

@@ -97,6 +97,42 @@ enum class RowCase(text: String, internal val check: (List<List<String>>) -> Uni
         "velocities": {"type": "gaussian", "sigma": 0.0004, "shearProfile": true}, $RING_STEPS""",
         { rows -> assertTrue(rows.column("temperature_ice").distinct().size > 3) },
     ),
+    TREE(
+        RING_UNITS + """"box": {"lengths": [60, 80, 12]}, "boundary": {"type": "hill-sheet"},
+        "particles": {"surfaceDensity": 400, "density": 400,
+        "sizes": {"type": "power-law", "minimum": 1, "maximum": 3, "exponent": 3}},
+        "bodies": [{"radius": 5, "density": 200, "position": [0, 0, 0]}],
+        "forces": [{"type": "body-gravity"}, {"type": "self-gravity", "softening": 0.1}],
+        "velocities": {"type": "gaussian", "sigma": 0.0004, "shearProfile": true}, $RING_STEPS""",
+        { rows -> assertEquals(rows.size - 1, rows.column("hill_energy").distinct().size) },
+    ),
+    MESH(
+        RING_UNITS + """"box": {"lengths": [60, 80, 12]}, "boundary": {"type": "hill-sheet"},
+        "particles": {"surfaceDensity": 400, "density": 400,
+        "sizes": {"type": "power-law", "minimum": 1, "maximum": 3, "exponent": 3}},
+        "forces": [{"type": "self-gravity", "method": "mesh"}],
+        "velocities": {"type": "gaussian", "sigma": 0.0004, "shearProfile": true}, $RING_STEPS""",
+        { rows -> assertEquals(rows.size - 1, rows.column("hill_energy").distinct().size) },
+    ),
+    GROWING(
+        """"until": 0.5, "box": {"lengths": [9, 9, 9]}, "boundary": {"type": "periodic"},
+        "particles": {"count": 300, "sizes": {"type": "equal", "radius": 0.4}, "mass": 1.0},
+        "velocities": {"type": "gaussian", "sigma": 1.0}, "placement": {"type": "random"},
+        "growth": {"rate": 0.3, "untilFillingFactor": 0.14}, "restitution": {"type": "constant", "coefficient": 1},
+        "timeStep": {"type": "fixed", "dt": 0.05}""",
+        { rows ->
+            assertEquals(rows.size - 1, rows.column("filling_factor").distinct().size)
+            assertEquals(rows.size - 1, rows.column("reduced_pressure").distinct().size)
+        },
+    ),
+    PISTONS(
+        """"until": 0.5, "box": {"lengths": [9, 9, 9]}, "boundary": {"type": "walls", "faces": {
+        "lowerZ": {"motion": {"type": "piston", "mass": 50}},
+        "upperZ": {"motion": {"type": "piston", "mass": 40, "force": -30}}}},
+        "particles": {"count": 300, "sizes": {"type": "equal", "radius": 0.4}, "mass": 1.0},
+        "velocities": {"type": "gaussian", "sigma": 2.0}, $GAS""",
+        { rows -> assertEquals(rows.size - 1, rows.column("piston_speed_upper_z").distinct().size) },
+    ),
     ;
 
     /** The scenario in JSON. */

@@ -7,6 +7,7 @@ import daphnis.core.parallel.RangeLoop
 import daphnis.core.search.GridExtent
 import daphnis.core.search.ImageRange
 import daphnis.core.step.PreparedStep
+import kotlin.math.abs
 
 /**
  * The bricks of one process and their agreement, driven phase by phase on the threads of a loop. A phase is a loop over
@@ -138,8 +139,13 @@ internal class BrickCrew(
     }
 
     private fun firstWidths(bodies: Bodies, extent: GridExtent): HaloWidths {
-        val rounding = DoubleArray(AXES) { ImageRange.rounding(extent.from[it], extent.from[it] + extent.size[it]) }
-        return HaloWidths(whole.reach.bound.copyOf(), rounding, bodies.edges(territory!!), margins.next())
+        val boundary = whole.step.boundary
+        val approached = abs(boundary.approach) * whole.duration
+        val room = DoubleArray(AXES) {
+            val rounding = ImageRange.rounding(extent.from[it], extent.from[it] + extent.size[it])
+            if (boundary.hasImages(it)) rounding + approached * boundary.box.length(it) else rounding
+        }
+        return HaloWidths(whole.reach.bound.copyOf(), room, bodies.edges(territory!!), margins.next())
     }
 
     /** Which brick holds which spheres at the start does not matter, only that each is held by one. */

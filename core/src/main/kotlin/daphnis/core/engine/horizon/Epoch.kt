@@ -100,6 +100,11 @@ internal class Epoch(
      * @throws IllegalArgumentException when the step is refused
      */
     fun carry(step: CollisionStep, carried: Carried, fixed: HorizonTuning?): PopulationColumns? {
+        // Lines know of images that slide along rows alone, and of walls that know their way for several steps.
+        if (step.boundary.approach != 0.0 || !step.boundary.walls.areKnownAhead) {
+            drop()
+            return null
+        }
         val mayGoOn = mayGoOn(step) && carried.follow(spheres)
         val wasOpen = isOpen
         isOpen = false

@@ -113,10 +113,7 @@ public class HorizonSteps internal constructor(
             return true
         }
         filters.passed(size)
-        // Lines know of images that slide along rows alone, and of walls that know their way for several steps.
         if (size < maxOf(fewest, 1) ||
-            step.boundary.approach != 0.0 ||
-            !step.boundary.walls.areKnownAhead ||
             prospect?.isLong == false ||
             !(isEager && tuning != null) &&
             epoch.plan.rests()

@@ -1,6 +1,6 @@
 package daphnis.core.force.mesh
 
-import daphnis.core.population.Population
+import daphnis.core.population.SphereColumns
 import kotlin.math.floor
 
 /**
@@ -8,7 +8,7 @@ import kotlin.math.floor
  * the same order whatever that of the population. Positions along x and y are from the lower corner of the box.
  */
 internal class MeshCells {
-    /** Index in the population by place. */
+    /** Index among the spheres by place. */
     var order = IntArray(0)
         private set
     var x = DoubleArray(0)
@@ -35,7 +35,7 @@ internal class MeshCells {
     var count = 0
         private set
 
-    fun sort(p: Population, points: MeshPoints, lowerX: Double, lowerY: Double, offset: Double) {
+    fun sort(p: SphereColumns, points: MeshPoints, lowerX: Double, lowerY: Double, offset: Double) {
         this.offset = offset
         count = p.size
         makeRoom(p.size, points.nx * points.ny)
@@ -53,7 +53,7 @@ internal class MeshCells {
     }
 
     /** Sets [px] and [py] to where the sphere at index [k], or an image of it, is in the box. */
-    private fun locate(p: Population, k: Int, points: MeshPoints, lowerX: Double, lowerY: Double) {
+    private fun locate(p: SphereColumns, k: Int, points: MeshPoints, lowerX: Double, lowerY: Double) {
         px = p.x[k] - lowerX
         val around = floor(px / points.lx)
         px -= around * points.lx
@@ -72,7 +72,7 @@ internal class MeshCells {
         mass = DoubleArray(spheres)
     }
 
-    private fun finish(p: Population, points: MeshPoints, lowerX: Double, lowerY: Double) {
+    private fun finish(p: SphereColumns, points: MeshPoints, lowerX: Double, lowerY: Double) {
         for (k in 1 until p.size) {
             var place = k
             while (place > 0 &&

@@ -5,6 +5,7 @@ import daphnis.core.force.Force
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.Partition
+import daphnis.core.population.Partitioned
 import daphnis.core.population.Population
 import daphnis.core.random.CounterRandom
 
@@ -15,7 +16,11 @@ import daphnis.core.random.CounterRandom
  * resume. It acts on velocities relative to the flow that the boundary drives,
  * along the axes of its space, and not on spins. It has no potential energy.
  */
-public sealed class Thermostat : Force {
+public sealed class Thermostat :
+    Force,
+    Partitioned {
+    override var partition: Partition = Partition.Whole
+
     /** Says to what flow velocities are relative, and along how many axes spheres move. */
     protected abstract val boundary: BoundaryConditions
 
@@ -24,9 +29,6 @@ public sealed class Thermostat : Force {
 
     protected var loop: RangeLoop = InlineLoop
         private set
-
-    /** Whether there are more spheres than those of the population. */
-    internal var partition: Partition = Partition.Whole
 
     override fun useLoop(loop: RangeLoop) {
         this.loop = loop
