@@ -75,7 +75,7 @@ internal class Pistons private constructor(
             boundary: BoundaryConditions,
             record: CollisionRecord?,
             population: Population,
-            partition: Partition,
+            partition: Partition = Partition.Whole,
         ): Pistons? {
             if (boundary.walls.pistons.isEmpty()) return null
             requireNotNull(record) {

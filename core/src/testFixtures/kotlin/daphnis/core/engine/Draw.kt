@@ -35,12 +35,8 @@ import daphnis.core.search.SearchStructure
 import daphnis.core.surface.BridgesRestitution
 import daphnis.core.surface.ConstantRestitution
 
-/**
- * A random gas for engines: everything follows from [seed].
- *
- * @param grows whether spheres may grow, which nodes refuse
- */
-class Draw(override val seed: Long, private val grows: Boolean = true) : Case {
+/** A random gas for engines: everything follows from [seed]. */
+class Draw(override val seed: Long) : Case {
     override val random = SeededRandom(seed)
     private val surface = SurfaceDraw(seed)
     private val driven = WallDraw(seed)
@@ -176,7 +172,7 @@ class Draw(override val seed: Long, private val grows: Boolean = true) : Case {
     /** In some of the boxes that repeat spheres grow or shrink. */
     private fun around(): BoundaryConditions {
         val isWhole = boundary is Periodic && (0..2).all { boundary.hasImages(it) }
-        if (!grows || !isWhole || seed % 4 == 0L) return boundary
+        if (!isWhole || seed % 4 == 0L) return boundary
         val most = if (filling < 0.2 && !clumped) 0.05 else 0.002
         return GrowingSpheres(box, (if (seed % 8 == 1L) -most else most) / dt, -dt, thermostat = seed % 3 != 0L)
     }

@@ -27,7 +27,7 @@ import org.junit.jupiter.api.Timeout
 class BricksAgreeTest {
     private val draws = Draws.of(usual = 120, long = 120)
 
-    private fun case(seed: Long): Case = if (seed % 4 == 0L) OddDraw(seed) else Draw(seed, grows = false)
+    private fun case(seed: Long): Case = if (seed % 4 == 0L) OddDraw(seed) else Draw(seed)
 
     /** Of the case's own stream: the shape of the bricks, how wide their halos are, the number of threads. */
     private fun engine(case: Case): BricksTogether {

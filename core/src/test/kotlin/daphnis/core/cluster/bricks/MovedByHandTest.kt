@@ -76,7 +76,7 @@ class MovedByHandTest {
     fun `bricks find what the serial engine finds, whatever was done to spheres between steps`() {
         var ahead = 0L
         for (seed in Draws.first..<Draws.first + draws) {
-            val case: Case = if (seed % 6 == 0L) OddDraw(seed) else Draw(seed, grows = false)
+            val case: Case = if (seed % 6 == 0L) OddDraw(seed) else Draw(seed)
             if (case.population.size !in 2..700) continue
             val engine = engine(case.random)
             val hand = Hand(case.random, case.dt)
