@@ -4,6 +4,7 @@ import daphnis.core.CommonNumber
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.collision.CollisionRecord
 import daphnis.core.collision.Counter
+import daphnis.core.collision.StepTally
 import java.nio.ByteBuffer
 
 /** What the leader of a crew asks of each node. */
@@ -31,7 +32,8 @@ internal enum class Answer { DONE, FAILED, FAILED_ELSEWHERE }
  * @property step number of steps since the start of the run
  * @property time at the end of that step
  * @property boundary what its boundary carries besides the spheres
- * @property records whether collisions are recorded
+ * @property records whether collisions are sent
+ * @property tally the kinds of [StepTally] that are to be sent in their place; negative for none
  * @property threads by rank
  * @property ids all ids of the run, where they are not dense
  * @property idCount number of places for ids
@@ -42,12 +44,13 @@ internal class Begin(
     val time: Double,
     val boundary: DoubleArray,
     val records: Boolean,
+    val tally: Int,
     val threads: IntArray,
     val ids: IntArray?,
     val idCount: Int,
 ) {
     fun message(): ByteBuffer = MessageWriter().text(scenario).long(step).double(time)
-        .int(boundary.size).doubles(boundary).byte(if (records) 1 else 0)
+        .int(boundary.size).doubles(boundary).byte(if (records) 1 else 0).int(tally)
         .int(threads.size).ints(threads).int(idCount).int(ids?.size ?: -1).ints(ids ?: IntArray(0)).message()
 
     companion object {
@@ -57,11 +60,12 @@ internal class Begin(
             val time = from.double
             val boundary = from.doubles(from.int)
             val records = from.get().toInt() == 1
+            val tally = from.int
             val threads = from.ints(from.int)
             val idCount = from.int
             val sparse = from.int
             val ids = if (sparse < 0) null else from.ints(sparse)
-            return Begin(scenario, step, time, boundary, records, threads, ids, idCount)
+            return Begin(scenario, step, time, boundary, records, tally, threads, ids, idCount)
         }
     }
 }
@@ -85,6 +89,7 @@ internal class StepDone(
     val cost: NodeCost,
     val counted: CollisionCounters,
     val record: CollisionRecord?,
+    val tally: StepTally?,
 )
 
 /**
@@ -102,6 +107,7 @@ internal fun MessageWriter.stepDone(done: StepDone): MessageWriter = apply {
     long(done.cost.redone).int(done.cost.haloSpheres).long(done.cost.bytesSent)
     for (counter in Counter.entries) long(done.counted[counter])
     record(done.record)
+    tally(done.tally)
 }
 
 internal fun ByteBuffer.stepDone(): StepDone = StepDone(
@@ -114,6 +120,7 @@ internal fun ByteBuffer.stepDone(): StepDone = StepDone(
     NodeCost(long, int, long),
     CollisionCounters().also { for (counter in Counter.entries) it[counter] = long },
     record(),
+    tally(),
 )
 
 private fun MessageWriter.record(record: CollisionRecord?) {
@@ -133,4 +140,14 @@ private fun ByteBuffer.record(): CollisionRecord? {
     val size = int
     if (size < 0) return null
     return CollisionRecord(doubles(size), ints(size), ints(size), ints(size), doubles(size * CollisionRecord.WIDTH))
+}
+
+private fun MessageWriter.tally(tally: StepTally?) {
+    int(tally?.kinds ?: -1)
+    for (sums in tally?.all.orEmpty()) put(sums.mostBytes, sums::write)
+}
+
+private fun ByteBuffer.tally(): StepTally? {
+    val kinds = int
+    return if (kinds < 0) null else StepTally.of(kinds).also { for (sums in it.all) sums.read(this) }
 }

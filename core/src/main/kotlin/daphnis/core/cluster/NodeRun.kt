@@ -12,6 +12,7 @@ import daphnis.core.Stops
 import daphnis.core.TimeStep
 import daphnis.core.boundary.state
 import daphnis.core.collision.CollisionCounters
+import daphnis.core.collision.StepTally
 import daphnis.core.measure
 import daphnis.core.parallel.FixedPool
 import daphnis.core.parallel.RangeLoop
@@ -32,6 +33,8 @@ internal class NodeRun(private val mail: Mail, private val threads: Int) {
     private lateinit var engine: NodeEngine
     private lateinit var simulation: Simulation
     private lateinit var population: Population
+    private var sendsRecords = false
+    private var tally: StepTally? = null
     private val counters get() = simulation.collisions!!.counters
 
     /** Serves until the mail closes. */
@@ -58,7 +61,9 @@ internal class NodeRun(private val mail: Mail, private val threads: Int) {
 
     private fun simulationOf(setup: ScenarioSetup, begin: Begin): Simulation {
         val scenario = setup.scenario
-        val forcing = setup.collisions(engine, begin.records)
+        sendsRecords = begin.records
+        if (begin.tally >= 0) tally = StepTally.of(begin.tally)
+        val forcing = setup.collisions(engine, sendsRecords || tally != null)
         // Whatever can fail in a step is done then; only if that holds for all nodes does the step stand.
         val agreement = Output { turns.tell({}) { _, _ -> } }
         return Simulation(
@@ -135,7 +140,8 @@ internal class NodeRun(private val mail: Mail, private val threads: Int) {
             simulation.boundary.state,
             engine.cost,
             counters.since(before),
-            collisions.record,
+            collisions.record.takeIf { sendsRecords },
+            tally?.also { it.take(collisions.record!!) },
         )
         MessageWriter().byte(Answer.DONE.ordinal).stepDone(done)
     } catch (e: Throwable) {

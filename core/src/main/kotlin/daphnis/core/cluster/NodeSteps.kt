@@ -100,6 +100,10 @@ internal class NodeSteps(
         check(end == done[0].time) { "the nodes are at time ${done[0].time} after ${at()}" }
         forcing.counters.addParts(done.map { it.counted })
         forcing.record?.takeAll(done)
+        forcing.tally?.let { tally ->
+            tally.clear()
+            for (part in done) tally.merge(part.tally!!)
+        }
         report.add(done)
         time = end
         boundary.state = done[0].boundary
@@ -120,6 +124,7 @@ internal class NodeSteps(
         boundary.state = boundaryBefore
         forcing.counters.set(before)
         forcing.record?.clear()
+        forcing.tally?.clear()
     }
 
     override fun bringHome() {
@@ -219,7 +224,9 @@ internal class NodeSteps(
         val threads = IntArray(nodes.size) { nodes[it].threads }
         this.threads = threads.sum()
         val records = forcing.record != null
-        val begin = Begin(scenario, homeStep, homeTime, homeBoundary, records, threads, places.ranked, places.count)
+        val tally = forcing.tally?.kinds ?: -1
+        val begin =
+            Begin(scenario, homeStep, homeTime, homeBoundary, records, tally, threads, places.ranked, places.count)
         made.begin(begin, state)
         return made
     }

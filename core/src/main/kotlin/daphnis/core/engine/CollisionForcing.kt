@@ -6,6 +6,7 @@ import daphnis.core.collision.CollisionCounters
 import daphnis.core.collision.CollisionLaw
 import daphnis.core.collision.CollisionRecord
 import daphnis.core.collision.NoGuard
+import daphnis.core.collision.StepTally
 import daphnis.core.population.Population
 import daphnis.core.search.Overlap
 import daphnis.core.search.Reach
@@ -72,6 +73,9 @@ public class CollisionForcing @JvmOverloads constructor(
 
     /** The collisions of the last step, in order; empty after a step that failed; null when they are not kept. */
     public val record: CollisionRecord? = if (recordCollisions) CollisionRecord() else null
+
+    /** Sums over the collisions of the last step, where nodes give these in place of the record. */
+    internal var tally: StepTally? = null
 
     /**
      * Moves [population] from [start] over [duration]; applying boundaries at the end is the caller's task. See

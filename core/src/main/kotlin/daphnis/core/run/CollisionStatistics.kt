@@ -3,7 +3,7 @@ package daphnis.core.run
 import daphnis.core.Output
 import daphnis.core.OutputState
 import daphnis.core.Simulation
-import daphnis.core.collision.CollisionRecord
+import daphnis.core.collision.PairSums
 import daphnis.core.population.ExactSum
 
 /**
@@ -15,39 +15,34 @@ import daphnis.core.population.ExactSum
  */
 public class CollisionStatistics @JvmOverloads constructor(public val from: Double = Double.NEGATIVE_INFINITY) :
     Output {
+    private val pairs = PairSums()
+
     /** Collisions summed. */
-    public var count: Long = 0
-        private set
-
-    private val sums = Array(SUMS) { ExactSum() }
-
-    // Terms of collisions that are not yet in the sums, by sum.
-    private val terms = Array(SUMS) { DoubleArray(BLOCK) }
-    private var waiting = 0
+    public val count: Long get() = pairs.count
 
     /** Σ impact speed. */
-    public val sumSpeed: Double get() = sums[SPEED].value()
+    public val sumSpeed: Double get() = pairs.value(PairSums.SPEED)
 
     /** Σ impact speed². */
-    public val sumSpeedSquared: Double get() = sums[SPEED_SQUARED].value()
+    public val sumSpeedSquared: Double get() = pairs.value(PairSums.SPEED_SQUARED)
 
     /**
      * Kinetic energy lost, that of spins with it: Σ ½ μ (1 − ε²) v_n², with μ the reduced mass, and of
      * [rough spheres][daphnis.core.surface.Roughness] ½ μ q/(1 + q) (1 − β²) g².
      */
-    public val dissipated: Double get() = sums[DISSIPATED].value()
+    public val dissipated: Double get() = pairs.value(PairSums.DISSIPATED)
 
     /**
      * Σ Δp_a r_b over collisions, nine numbers by row: a·3 + b. Divided by volume and time it is the collisional part
      * of the pressure tensor, which is not symmetric while rough spheres are being spun up. A copy.
      */
-    public val virial: DoubleArray get() = DoubleArray(TENSOR) { sums[VIRIAL + it].value() }
+    public val virial: DoubleArray get() = DoubleArray(PairSums.TENSOR) { pairs.value(PairSums.VIRIAL + it) }
 
     /**
      * Collisions by impact speed, [BINS_A_DECADE] bins per decade from 10^[LEAST_DECADE]; the first and last also hold
      * what lies beyond.
      */
-    public val speeds: LongArray = LongArray(BINS)
+    public val speeds: LongArray get() = pairs.counts
 
     private var lastStep = -1L
 
@@ -57,7 +52,7 @@ public class CollisionStatistics @JvmOverloads constructor(public val from: Doub
      * sum.
      */
     public fun sums(): List<Double> = buildList {
-        val parts = sums.map { it.parts() }
+        val parts = List(SUMS) { pairs.sum(it).parts() }
         add(count.toDouble())
         for (part in parts) add(part.firstOrNull() ?: 0.0)
         for (k in parts.indices) {
@@ -74,30 +69,21 @@ public class CollisionStatistics @JvmOverloads constructor(public val from: Doub
      * @throws IllegalArgumentException for numbers that cannot be sums of collisions
      */
     public fun restore(sums: List<Double>, speeds: LongArray) {
-        val pairs = sums.drop(1 + SUMS).chunked(2)
-        val arePairs = pairs.all { it.size == 2 && (0 until SUMS).any { k -> k.toDouble() == it[0] } }
-        val isPossible = arePairs && sums.size > SUMS && speeds.size == BINS
+        val rests = sums.drop(1 + SUMS).chunked(2)
+        val arePairs = rests.all { it.size == 2 && (0 until SUMS).any { k -> k.toDouble() == it[0] } }
+        val isPossible = arePairs && sums.size > SUMS && speeds.size == this.speeds.size
         require(isPossible) { "these are not the sums of collision statistics" }
-        count = sums[0].toLong()
-        for (k in 0 until SUMS) {
-            this.sums[k].clear()
-            this.sums[k].add(sums[1 + k])
-        }
-        for ((k, rest) in pairs) this.sums[k.toInt()].add(rest)
+        pairs.clear()
+        pairs.count = sums[0].toLong()
+        for (k in 0 until SUMS) pairs.sum(k).add(sums[1 + k])
+        for ((k, rest) in rests) pairs.sum(k.toInt()).add(rest)
         speeds.copyInto(this.speeds)
     }
 
     override fun write(simulation: Simulation) {
         if (simulation.step == lastStep || simulation.step == 0L || simulation.time <= from) return
         lastStep = simulation.step
-        val record = simulation.recordOfStep()
-        for (k in 0 until record.size) if (!record.isWall(k)) add(record, k)
-        sumWaiting()
-    }
-
-    private fun sumWaiting() {
-        for (k in sums.indices) sums[k].addAll(terms[k], 0, waiting)
-        waiting = 0
+        simulation.addStepTo(pairs)
     }
 
     override fun save(state: OutputState) {
@@ -109,48 +95,12 @@ public class CollisionStatistics @JvmOverloads constructor(public val from: Doub
         restore(state.doubles(SUMS_SAVED).asList(), state.longs(SPEEDS_SAVED))
     }
 
-    private fun add(record: CollisionRecord, k: Int) {
-        val speed = record.impactSpeed(k)
-        val coefficient = record.coefficient(k)
-        val impulse = record.impulse(k)
-        if (waiting == BLOCK) sumWaiting()
-        val at = waiting++
-        count++
-        terms[SPEED][at] = speed
-        terms[SPEED_SQUARED][at] = speed * speed
-        if (speed > 0) {
-            speeds[((StrictMath.log10(speed) - LEAST_DECADE) * BINS_A_DECADE).toInt().coerceIn(0, BINS - 1)]++
-        }
-        // impulse = μ (1 + ε) v_n, so the loss ½ μ (1 − ε²) v_n² is half of impulse · (1 − ε) · v_n.
-        terms[DISSIPATED][at] = 0.5 * impulse * (1 - coefficient) * speed + record.surfaceDissipation(k)
-        val dx = record.separation(k, 0)
-        val dy = record.separation(k, 1)
-        val dz = record.separation(k, 2)
-        val f = impulse / Math.sqrt(dx * dx + dy * dy + dz * dz)
-        for (a in 0..2) {
-            for (b in 0..2) {
-                val along = record.tangentialImpulse(k, a) * record.separation(k, b)
-                terms[VIRIAL + a * 3 + b][at] = f * record.separation(k, a) * record.separation(k, b) + along
-            }
-        }
-    }
-
     public companion object {
-        private const val TENSOR = 9
-
-        // The sums in the order in which they are written.
-        private const val SPEED = 0
-        private const val SPEED_SQUARED = 1
-        private const val DISSIPATED = 2
-        private const val VIRIAL = 3
-        private const val SUMS = VIRIAL + TENSOR
-        private const val BLOCK = 256
+        private const val SUMS = PairSums.SUMS
         internal const val SUMS_SAVED = "collisionSums"
         internal const val SPEEDS_SAVED = "impactSpeeds"
-        public const val BINS_A_DECADE: Int = 10
-        public const val LEAST_DECADE: Int = -12
-        private const val MOST_DECADE = 6
-        private const val BINS = (MOST_DECADE - LEAST_DECADE) * BINS_A_DECADE
+        public const val BINS_A_DECADE: Int = PairSums.BINS_A_DECADE
+        public const val LEAST_DECADE: Int = PairSums.LEAST_DECADE
 
         /** Lower edge of bin [k] of [speeds]. */
         @JvmStatic

@@ -3,6 +3,7 @@ package daphnis.core.run
 import daphnis.core.Output
 import daphnis.core.OutputState
 import daphnis.core.Simulation
+import daphnis.core.collision.HeatSums
 import daphnis.core.population.ExactSum
 
 /**
@@ -11,34 +12,28 @@ import daphnis.core.population.ExactSum
  * collisions.
  */
 public class HeatStatistics : Output {
-    private val sums = Array(3) { ExactSum() }
+    private val sums = HeatSums()
     private var lastStep = -1L
 
     /**
      * Σ ΔE δ_a along [axis], mass · length³/time²: over volume and time it is the collisional part of the heat flux in
      * a gas whose centre of mass is at rest.
      */
-    public fun carried(axis: Int): Double = sums[axis].value()
+    public fun carried(axis: Int): Double = sums.value(axis)
 
     override fun write(simulation: Simulation) {
         if (simulation.step == lastStep || simulation.step == 0L) return
         lastStep = simulation.step
-        val record = simulation.recordOfStep()
-        for (k in 0 until record.size) {
-            if (record.isWall(k)) continue
-            for (axis in 0..2) sums[axis].add(record.handedOver(k) * record.separation(k, axis))
-        }
+        simulation.addStepTo(sums)
     }
 
     override fun save(state: OutputState) {
-        for (axis in 0..2) state.put("$SUM$axis", sums[axis].parts().toDoubleArray())
+        for (axis in 0..2) state.put("$SUM$axis", sums.sum(axis).parts().toDoubleArray())
     }
 
     override fun restore(state: OutputState) {
-        for (axis in 0..2) {
-            sums[axis].clear()
-            for (part in state.doubles("$SUM$axis")) sums[axis].add(part)
-        }
+        sums.clear()
+        for (axis in 0..2) for (part in state.doubles("$SUM$axis")) sums.sum(axis).add(part)
     }
 
     private companion object {

@@ -41,6 +41,9 @@ public sealed class PeriodicOutput(
     /** Whether it needs the record of collisions of each step. */
     internal open val readsCollisions: Boolean get() = false
 
+    /** Whether sums over them are all that it needs of these. */
+    internal open val sumsCollisions: Boolean get() = false
+
     /** When it is due; intervals of [spec] are in units of time. */
     public fun times(spec: OutputSpec): OutputTimes {
         interval?.get(spec)?.let { return OutputTimes(0, Interval(it)) }

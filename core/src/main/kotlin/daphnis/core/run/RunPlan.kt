@@ -4,6 +4,7 @@ import daphnis.core.CommonNumber
 import daphnis.core.Output
 import daphnis.core.Simulation
 import daphnis.core.cluster.FleetEngines
+import daphnis.core.collision.StepTally
 import daphnis.core.engine.EngineFactory
 import daphnis.core.engine.SerialEngine
 import daphnis.core.population.MaterialSums
@@ -89,11 +90,14 @@ internal fun planOf(
     RunOutputs.requireFree(own.keys)
     val scenario = setup.scenario
     val output = scenario.output
-    val records = PeriodicOutputs.readingCollisions(output).isNotEmpty()
+    val readers = PeriodicOutputs.readingCollisions(output)
     val nodes = engines as? FleetEngines
     val engine = if (nodes == null) engineOf(scenario, source, engines) else SerialEngine()
     val simulation = closingIfItThrows(nodes?.fleet ?: engine) {
-        val forcing = setup.collisions(engine, records)
+        // Somebody else's outputs may read the record where there is one.
+        val areSummed = nodes != null && own.isEmpty() && readers.isNotEmpty() && readers.all { it.sumsCollisions }
+        val forcing = setup.collisions(engine, readers.isNotEmpty() && !areSummed)
+        if (areSummed) forcing.tally = StepTally(setup.boundary.walls.areDriven, setup.carriesHeat)
         meta?.countInto(forcing.counters)
         meta?.putPistons(setup.boundary)
         meta?.reducedPressure?.let { setup.boundary.growth?.resume(it) }

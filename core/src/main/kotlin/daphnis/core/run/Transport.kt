@@ -21,6 +21,7 @@ internal object TransportOutput :
 
     override val tables: List<TableColumns> get() = listOf(TransportColumns, ImpactColumns)
     override val readsCollisions: Boolean get() = true
+    override val sumsCollisions: Boolean get() = true
 
     override fun mayChange(then: OutputTimes, now: OutputTimes): Boolean = then.isNever == now.isNever
 

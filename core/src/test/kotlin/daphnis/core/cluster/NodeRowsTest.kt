@@ -60,7 +60,9 @@ class NodeRowsTest {
         for (count in listOf(1, 3, 5)) {
             val fleet = ThreadFleet(count) { 1 + it % 2 }
             val asked = ConcurrentHashMap<Command, AtomicInteger>()
+            var begin: Begin? = null
             fleet.onSend = { from, _, message ->
+                if (from == Mail.LEADER && begin == null) begin = Begin.read(message.duplicate())
                 // The first message of a crew and spheres are longer.
                 val isQuestion = from == Mail.LEADER && (message.remaining() == 1 || message.remaining() == MEANS)
                 if (isQuestion) {
@@ -77,6 +79,9 @@ class NodeRowsTest {
             // The watcher asks once more.
             assertEquals(2 * steps, asked.getValue(Command.FIRST_SUMS).get())
             assertEquals(steps, asked.getValue(Command.CENTRAL_SUMS).get())
+            // Collisions are summed by nodes, unless somebody has to see them.
+            assertEquals(case == RowCase.PISTONS, begin!!.records)
+            assertTrue(begin!!.tally >= 0)
         }
         case.check(rows("nodes", "series.csv").map { it.split(',') })
     }

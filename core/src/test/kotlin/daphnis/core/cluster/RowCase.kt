@@ -125,6 +125,13 @@ enum class RowCase(text: String, internal val check: (List<List<String>>) -> Uni
             assertEquals(rows.size - 1, rows.column("reduced_pressure").distinct().size)
         },
     ),
+    SHAKEN(
+        """"until": 0.5, "box": {"lengths": [9, 9, 9]}, "boundary": {"type": "walls", "faces": {
+        "lowerZ": {"motion": {"type": "sine", "amplitude": 0.2, "frequency": 3}}, "upperX": {"temperature": 2}},
+        "surfaces": [{"type": "sphere", "centre": [0, 0, 0], "radius": 1.5, "room": "outside", "angularVelocity": [0, 0, 1], "temperature": 1}]},
+        "particles": {"count": 250, "sizes": {"type": "equal", "radius": 0.4}, "mass": 1.0},
+        "velocities": {"type": "gaussian", "sigma": 2.0}, $GAS""",
+    ),
     PISTONS(
         """"until": 0.5, "box": {"lengths": [9, 9, 9]}, "boundary": {"type": "walls", "faces": {
         "lowerZ": {"motion": {"type": "piston", "mass": 50}},

@@ -1,0 +1,37 @@
+package daphnis.core.collision
+
+import daphnis.core.wall.WallContact
+
+/**
+ * Sums over the collisions with walls: the energy that walls gave, and from [IMPULSES] on their momentum by face, and
+ * then by surface.
+ */
+internal class WallSums : RecordSums() {
+    init {
+        sum(IMPULSES + WallContact.FACES - 1)
+    }
+
+    override fun add(record: CollisionRecord) {
+        for (k in 0 until record.size) {
+            if (!record.isWall(k)) continue
+            count++
+            sum(WORK).add(-record.surfaceDissipation(k))
+            sum(IMPULSES + WallContact.number(record.lower[k])).add(record.impulse(k))
+        }
+    }
+
+    companion object {
+        const val WORK = 0
+        const val IMPULSES = 1
+    }
+}
+
+/** Sums by axis over the collisions of two spheres: the heat that they carry from centre to centre. */
+internal class HeatSums : RecordSums() {
+    override fun add(record: CollisionRecord) {
+        for (k in 0 until record.size) {
+            if (record.isWall(k)) continue
+            for (axis in 0..2) sum(axis).add(record.handedOver(k) * record.separation(k, axis))
+        }
+    }
+}
