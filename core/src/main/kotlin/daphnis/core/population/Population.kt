@@ -170,7 +170,7 @@ public class Population internal constructor(
      */
     internal fun beginPart(places: IdPlaces) {
         idPlaces = places
-        crossings = Crossings(places)
+        crossings = Crossings(places, areFew = true)
         crossingsBefore = crossings
         indexIsCurrent = false
     }

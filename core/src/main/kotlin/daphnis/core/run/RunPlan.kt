@@ -54,7 +54,8 @@ internal class RunPlan(
     /** Whether the run ends before [until], with the present state. */
     fun isOver(): Boolean {
         val growth = simulation.boundary.growth ?: return false
-        return scenario?.growth?.isOver(growth.reducedPressure) { CommonNumber.FILLING_FACTOR.anywhere(simulation) } ?: false
+        return scenario?.growth?.isOver(growth.reducedPressure) { CommonNumber.FILLING_FACTOR.anywhere(simulation) }
+            ?: false
     }
 
     override fun close() {

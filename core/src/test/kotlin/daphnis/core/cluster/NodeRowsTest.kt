@@ -117,7 +117,12 @@ class NodeRowsTest {
         val run = scenario(case, arrayOf("output.checkpointEvery=2", "engine.name=serial"))
         fun nodes(count: Int) = FleetEngines(ThreadFleet(count), Duration.ZERO, { }, CopyClock { 0 })
         val to = home.resolve("nodes")
-        Run.start(run, "test", to, force = true, engines = nodes(3)).use { it.execute(cancelled = { it.simulation.step >= 2 }) }
+        Run.start(run, "test", to, force = true, engines = nodes(3)).use {
+            it.execute(cancelled = {
+                it.simulation.step >=
+                    2
+            })
+        }
         Run.resume(to, engines = Engines).use { it.execute(cancelled = { it.simulation.step >= 4 }) }
         val found = Run.resume(to, engines = nodes(2)).use { it.execute() }
         assertEquals(expected.stateDigest, found.stateDigest)

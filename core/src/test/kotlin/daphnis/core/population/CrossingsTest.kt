@@ -4,9 +4,14 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Test
 import kotlin.concurrent.thread
 
-class CrossingsTest {
+class CrossingsTest : CrossingsCases(areFew = false)
+
+/** The same where few spheres cross, as on a node. */
+class FewCrossingsTest : CrossingsCases(areFew = true)
+
+abstract class CrossingsCases(areFew: Boolean) {
     private val ids = IntArray(1000) { 7 * it }
-    private val crossings = Crossings(IdPlaces(ids))
+    private val crossings = Crossings(IdPlaces(ids), areFew)
 
     private fun all() = List(3) { axis -> ids.map { crossings.of(it, axis) } }
 
@@ -61,5 +66,20 @@ class CrossingsTest {
         for (k in ids.indices) assertEquals(50 * k, crossings.of(ids[k], k % 3))
         crossings.takeBack()
         for (axis in 0..2) assertEquals(0, ids.count { crossings.of(it, axis) != 0 })
+    }
+
+    @Test
+    fun `what is handed over is counted from 0 again, by axis and id`() {
+        cross(1)
+        val before = all()
+        val drained = ArrayList<List<Int>>()
+        crossings.drain { id, axis, boxes -> drained += listOf(axis, id, boxes) }
+        assertEquals(drained.sortedWith(compareBy({ it[0] }, { it[1] })), drained)
+        for ((axis, id, boxes) in drained) assertEquals(before[axis][id / 7], boxes)
+        assertEquals(before.sumOf { axis -> axis.count { it != 0 } }, drained.size)
+        assertEquals(0, all().sumOf { axis -> axis.count { it != 0 } })
+        assertEquals(0, crossings.of(-3, 1))
+        crossings.add(14, 2, 5)
+        assertEquals(5, crossings.of(14, 2))
     }
 }

@@ -49,8 +49,7 @@ internal class HaloWidths(
     val isEverything: Boolean get() = widest == Double.POSITIVE_INFINITY
 
     /** With these, every brick computes all spheres: what each finds is what the serial engine finds. */
-    fun everything(): HaloWidths =
-        HaloWidths(bound, room, edge, DoubleArray(extra.size) { Double.POSITIVE_INFINITY })
+    fun everything(): HaloWidths = HaloWidths(bound, room, edge, DoubleArray(extra.size) { Double.POSITIVE_INFINITY })
 
     companion object {
         /** No halo at all, of [bricks] bricks. */
