@@ -136,4 +136,15 @@ class BatchPageTest {
         assertEquals(names[0], Regex("""claimName: (.*)""").find(job)!!.groupValues[1])
         assertTrue(" job/${names[1]}\n" in Files.readString(Repository.root.resolve("docs/batch.md")))
     }
+
+    @Test
+    fun `what Snakemake and row carry out is a command of the program`() {
+        val page = Files.readString(Repository.root.resolve("docs/batch.md"))
+        val all = RegexOption.DOT_MATCHES_ALL
+        val sweep = Regex("""SWEEP = "(.*)"""").find(page)!!.groupValues[1]
+        val part = Regex("""\ncommand = "{3}(.*?)"{3}""", all).find(page)!!.groupValues[1]
+        for (command in listOf("$sweep --part 1/8", "$sweep --collect", part.replace("{directory}", "1"))) {
+            assertNull(CommandCheck().problem(shellCommands(command).first().words)) { command }
+        }
+    }
 }
