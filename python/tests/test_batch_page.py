@@ -48,8 +48,9 @@ def done(words: list[str], place: Path, **variables: str) -> str:
 
 
 def program(place: Path) -> None:
-    """Puts ./daphnis into `place`."""
-    (place / "daphnis").write_text(f'#!/bin/sh\nexec "{sys.executable}" -m daphnis_sim "$@"\n')
+    """Puts ./daphnis into `place`, which notes what it was called with."""
+    call = f'echo "$@" >> called\nexec "{sys.executable}" -m daphnis_sim "$@"'
+    (place / "daphnis").write_text(f"#!/bin/sh\n{call}\n")
     (place / "daphnis").chmod(0o755)
 
 
@@ -83,7 +84,8 @@ def test_the_program_runs(tmp_path: Path) -> None:
     assert said.splitlines()[:4] == [
         f"{name} {digest}" for name, digest in zip(names, ends(tmp_path / "runs/depths"), strict=True)
     ]
-    assert "end_granular_temperature" in (tmp_path / "runs/depths/sweep.csv").read_text()
+    # The means, which it prints.
+    assert "particles.opticalDepth" in said and "standard_error" in (tmp_path / "runs/depths/sweep.csv").read_text()
 
 
 def test_the_snakefile_makes_the_tables(tmp_path: Path, digests: list[str]) -> None:
@@ -93,6 +95,9 @@ def test_the_snakefile_makes_the_tables(tmp_path: Path, digests: list[str]) -> N
     done([sys.executable, "-m", "snakemake", "--cores", "1"], tmp_path)
     assert (tmp_path / "runs/depths/sweep.csv").exists()
     assert sorted(path.name for path in (tmp_path / "parts").iterdir()) == ["1", "2"]
+    lines = (tmp_path / "called").read_text().splitlines()
+    called = [line.removeprefix(f"sweep {GAS} --out runs/depths ") for line in lines]
+    assert sorted(called[:2]) == ["--part 1/2", "--part 2/2"] and called[2:] == ["--collect"]
     assert ends(tmp_path / "runs/depths") == digests
 
 
