@@ -109,7 +109,7 @@ def test_what_the_documentation_shows_has_the_right_types(tmp_path: Path) -> Non
     for path in NOTEBOOKS:
         cells = [cell for cell in json.loads(path.read_text("utf-8"))["cells"] if cell["cell_type"] == "code"]
         shown[path.stem.replace("-", "_")] = "\n".join("".join(cell["source"]) for cell in cells)
-    for page in PAGES:
+    for page in (*PAGES, "docs/batch.md"):
         text = (CHECKOUT / page).read_text("utf-8")
         name = re.sub(r"\W", "_", page.removesuffix(".md"))
         shown[name] = "\n".join(re.findall(r"^```python\n(.*?)^```$", text, re.M | re.S))

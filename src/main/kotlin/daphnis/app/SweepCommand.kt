@@ -94,7 +94,7 @@ class SweepCommand : CliktCommand(name = "sweep") {
         }
         from?.let { if (!it.isFinite()) throw InputException("--from", null, "is $it; it must be a finite number") }
         val modes = listOfNotNull(part?.let { "--part" }, "--collect".takeIf { collect }, "--list".takeIf { list })
-        if (modes.size > 1) throw InputException(modes[1], null, "and ${modes[0]} are for a command each")
+        if (modes.size > 1) throw InputException(modes[0], null, "is given together with ${modes[1]}; $ONE_EACH")
         if (scenario != null) return
         if (!collect) throw InputException("scenario", null, "is missing: a file or a built-in name is needed")
         if (out == null) throw InputException("--out", null, "is missing: the directory of the sweep is needed")
@@ -135,10 +135,10 @@ class SweepCommand : CliktCommand(name = "sweep") {
             lock.notice?.let(::warn)
             val found = runs.collect(order.plan.runs)
             val missing = order.missing(found)
+            for (line in missing) warn(line)
             if (found.isEmpty()) {
                 throw ProgramResult(complain("none of the ${missing.size} runs is finished", EXIT_FAILED))
             }
-            for (name in missing) warn("$name: is not finished")
             report.conclude(found)
             if (missing.isEmpty()) return
             val all = order.plan.runs.size
@@ -191,5 +191,6 @@ class SweepCommand : CliktCommand(name = "sweep") {
 
     private companion object {
         const val MOST_JOBS = 1000
+        const val ONE_EACH = "each is for a command of its own"
     }
 }

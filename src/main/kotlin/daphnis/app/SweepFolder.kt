@@ -39,7 +39,7 @@ public class SweepFolder private constructor(private val order: SweepOrder) {
         val notices = ArrayList<String>()
         order.place.claim(order.record, mayHaveRuns = true).use {
             val found: List<SweepRun> = SweepRuns(order, null, from, quiet = true).collect(order.plan.runs)
-            order.missing(found).mapTo(notices) { name -> "$name: is not finished" }
+            notices += order.missing(found)
             for (run in found) run.failure?.let { why -> notices += "${run.name}: $why" }
             if (found.isNotEmpty()) SweepReport(order, quiet = true).write(found) { line -> notices += line }
         }

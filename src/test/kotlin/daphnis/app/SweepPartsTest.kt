@@ -67,6 +67,7 @@ class SweepPartsTest {
         val none = sweep("none", "--part", "7/7")
         assertDone(none)
         val nothing = collect("none")
+        assertTrue("coefficient=0.9,seed=3: is not finished" in nothing.err) { nothing.err }
         assertTrue(nothing.code == EXIT_FAILED && "none of the 6 runs is finished" in nothing.err) { nothing.err }
         assertTrue(
             assertDone(
@@ -123,9 +124,17 @@ class SweepPartsTest {
         assertEquals(EXIT_FAILED, said.code)
         assertTrue("coefficient=0.5,seed=1: " in said.err && "is running in this directory" in said.err) { said.err }
         assertTrue("1 of 3 runs failed, the same command tries them again" in said.err) { said.err }
+        val early = collect("a").err
+        assertTrue("seed=1: is not finished; the last try failed: " in early && "is running in" in early) { early }
+        assertTrue("coefficient=0.5,seed=2: is not finished\n" in early) { early }
         assertDone(sweep("a", "--part", "1/2"))
+        assertEquals(0, folder.resolve("a/failures").toFile().list()!!.size)
         assertDone(sweep("a", "--part", "2/2"))
         assertDone(collect("a", "--quiet"))
+        // Where no note can be made, there is none.
+        Files.delete(folder.resolve("a/failures"))
+        Files.writeString(folder.resolve("a/failures"), "mine")
+        assertDone(sweep("a", "--part", "1/2"))
     }
 
     @Test
@@ -136,8 +145,8 @@ class SweepPartsTest {
         for ((said, why) in listOf(
             sweep("new", "--part", "0/3") to "parts are numbered from 1 to 3",
             sweep("new", "--part", "auto") to "no job of an array",
-            sweep("new", "--part", "1/3", "--collect") to "are for a command each",
-            sweep("new", "--list", "--collect") to "are for a command each",
+            sweep("new", "--part", "1/3", "--collect") to "--part: is given together with --collect; each is for a",
+            sweep("new", "--list", "--collect") to "--collect: is given together with --list; each is for a",
             sweep("new", "--collect") to "holds no sweep",
             collect("new") to "holds no sweep",
             daphnis("sweep") to "scenario: is missing",

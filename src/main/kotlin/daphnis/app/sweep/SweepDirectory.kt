@@ -2,6 +2,7 @@ package daphnis.app.sweep
 
 import daphnis.core.input.InputException
 import daphnis.core.run.RunLock
+import java.io.IOException
 import java.nio.file.Files
 import java.nio.file.Path
 
@@ -19,6 +20,28 @@ internal class SweepDirectory(val path: Path) {
     /** Whether any have begun. */
     val hasRuns: Boolean get() = Files.isDirectory(allRuns)
     private val allRuns: Path get() = path.resolve("runs")
+
+    /** Why the last try of the run called [name] failed, in a line; null when it did not. */
+    fun failure(name: String): String? = try {
+        Files.readString(failures.resolve(name)).trim()
+    } catch (e: IOException) {
+        null
+    }
+
+    /** Notes [why] the run called [name] failed, for [failure]; null when it is tried again. */
+    fun noteFailure(name: String, why: String?) {
+        try {
+            if (why == null) {
+                Files.deleteIfExists(failures.resolve(name))
+            } else {
+                Files.writeString(Files.createDirectories(failures).resolve(name), "$why\n")
+            }
+        } catch (e: IOException) {
+            // A full disk may be why it failed; the note is no more than a help.
+        }
+    }
+
+    private val failures: Path get() = path.resolve("failures")
 
     /**
      * Takes the directory, new or with the same sweep in it, until the lock is closed.

@@ -39,8 +39,11 @@ internal class SweepOrder(
 
     fun scenarioOf(run: PlannedRun): Scenario = scenarios.getValue(run)
 
-    /** Names of the runs that are not among those [found]. */
-    fun missing(found: List<SweepRun>): List<String> = plan.runs.map { it.name } - found.map { it.name }.toSet()
+    /** What is to be said of runs that are not among those [found], a line each. */
+    fun missing(found: List<SweepRun>): List<String> =
+        (plan.runs.map { it.name } - found.map { it.name }.toSet()).map { name ->
+            "$name: is not finished" + place.failure(name)?.let { "; the last try failed: $it" }.orEmpty()
+        }
 
     /**
      * Wrong values are told before anything is written; seeds change none. Runs that have begun were checked then.

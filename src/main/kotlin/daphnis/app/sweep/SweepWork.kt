@@ -58,19 +58,22 @@ internal class SweepWork(
     /** The [run] with its numbers, or with why it failed; null when it is cancelled before its end. */
     fun carryOut(run: PlannedRun): SweepRun? {
         if (cancelled()) return null
-        return resultOf(run) { place ->
+        directory.noteFailure(run.name, null)
+        val result = resultOf(run) { place ->
             val wasFinished = isFinished(place)
             if (!wasFinished && !simulated(run, place)) return null
             teller.at(run.name, 1.0)
             if (wasFinished) drawMissing(run, place)
         }
+        result.failure?.let { directory.noteFailure(run.name, it) }
+        return result
     }
 
     /** The same of a [run] that is finished; null when it is not. */
     fun collected(run: PlannedRun): SweepRun? = resultOf(run) { place -> if (!isFinished(place)) return null }
 
     /** The [run] with its numbers, once [finish] has brought it to its end, or with why that failed. */
-    private inline fun resultOf(run: PlannedRun, finish: (RunDirectory) -> Unit): SweepRun? {
+    private inline fun resultOf(run: PlannedRun, finish: (RunDirectory) -> Unit): SweepRun {
         val place = RunDirectory(directory.run(run.name))
         val seed = run.seed ?: scenarioOf(run).seed
         return try {

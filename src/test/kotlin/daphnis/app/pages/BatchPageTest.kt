@@ -1,8 +1,15 @@
 package daphnis.app.pages
 
+import daphnis.app.EXIT_INPUT
+import daphnis.app.EXIT_INTERRUPTED
+import daphnis.app.sweep.SweepPart
 import daphnis.core.Repository
+import kotlinx.serialization.json.Json
+import kotlinx.serialization.json.jsonArray
+import kotlinx.serialization.json.jsonPrimitive
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
+import org.junit.jupiter.api.Assertions.assertNull
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
@@ -13,7 +20,10 @@ import java.nio.file.Path
 import java.nio.file.attribute.PosixFilePermissions
 import java.util.concurrent.TimeUnit
 
-/** The batch script in the documentation does what the page says, with an array that a few lines of shell imitate. */
+/**
+ * The batch script in the documentation does what the page says, with an array that a few lines of shell imitate, and
+ * the manifests for Kubernetes have command lines and variables that the program takes.
+ */
 @Tag("jdk-neutral")
 class BatchPageTest {
     @TempDir
@@ -81,5 +91,60 @@ class BatchPageTest {
         assertEquals(0, task(2)) { log(2) }
         val runs = folder.resolve("runs/depths/runs").toFile().listFiles()!!
         assertEquals(6, runs.count { "\"finished\": true" in it.resolve("summary.json").readText() })
+    }
+
+    private fun manifest(name: String) = Files.readString(Repository.root.resolve("docs/batch/$name"))
+
+    /** Words of the container's command line, whose lists are written as JSON. */
+    private fun words(manifest: String): List<String> = listOf("command", "args").flatMap { key ->
+        val list = Regex("""(?m)^ *$key: (\[[^]]*])""").find(manifest)!!.groupValues[1]
+        Json.parseToJsonElement(list).jsonArray.map { it.jsonPrimitive.content }
+    }
+
+    private fun List<String>.after(option: String) = this[indexOf(option) + 1]
+
+    @Test
+    fun `a job of Kubernetes has a pod for each part, and goes on with what was interrupted alone`() {
+        val job = manifest("kubernetes-job.yaml")
+        val words = words(job)
+        assertNull(CommandCheck().problem(words))
+        val completions = Regex("""(?m)^  completions: (\d+)$""").find(job)!!.groupValues[1].toInt()
+        val variables = Regex("""- name: ([A-Z_]+)\n +value: "(.*)"""").findAll(job)
+            .associate { it.groupValues[1] to it.groupValues[2] }
+        val parts = (0 until completions).map { k ->
+            "${SweepPart.parse(words.after("--part"), variables + ("JOB_COMPLETION_INDEX" to "$k"))}"
+        }
+        assertEquals((1..completions).map { "part $it of $completions" }, parts)
+        // 143 is what Java ends with that is not yet the program's.
+        val codes = Regex("""action: (\w+)\s+onExitCodes:\s+operator: In\s+values: \[(.*)]""").findAll(job)
+            .associate { it.groupValues[1] to it.groupValues[2] }
+        assertEquals(mapOf("Ignore" to "$EXIT_INTERRUPTED, 143", "FailJob" to "$EXIT_INPUT"), codes)
+    }
+
+    @Test
+    fun `a job of Kubernetes makes the tables of the runs of the other one`() {
+        val job = manifest("kubernetes-job.yaml")
+        val tables = manifest("kubernetes-collect.yaml")
+        assertNull(CommandCheck().problem(words(tables)))
+        assertTrue("--collect" in words(tables))
+        assertEquals(words(job).after("--out"), words(tables).after("--out"))
+        for (key in listOf("claimName", "image", "workingDir", "mountPath")) {
+            val value = Regex("""\b$key: (\S+)""")
+            assertEquals(value.find(job)!!.value, value.find(tables)!!.value)
+        }
+        val names = Regex("""metadata:\n  name: (.*)""").findAll(job).map { it.groupValues[1] }.toList()
+        assertEquals(names[0], Regex("""claimName: (.*)""").find(job)!!.groupValues[1])
+        assertTrue(" job/${names[1]}\n" in Files.readString(Repository.root.resolve("docs/batch.md")))
+    }
+
+    @Test
+    fun `what Snakemake and row carry out is a command of the program`() {
+        val page = Files.readString(Repository.root.resolve("docs/batch.md"))
+        val all = RegexOption.DOT_MATCHES_ALL
+        val sweep = Regex("""SWEEP = "(.*)"""").find(page)!!.groupValues[1]
+        val part = Regex("""\ncommand = "{3}(.*?)"{3}""", all).find(page)!!.groupValues[1]
+        for (command in listOf("$sweep --part 1/8", "$sweep --collect", part.replace("{directory}", "1"))) {
+            assertNull(CommandCheck().problem(shellCommands(command).first().words)) { command }
+        }
     }
 }
