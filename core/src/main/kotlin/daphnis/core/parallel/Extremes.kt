@@ -35,9 +35,23 @@ public class Extremes {
             if (v < low) low = v
             if (v > high) high = v
         }
-        synchronized(this) {
-            if (low < least) least = low
-            if (high > greatest) greatest = high
+        include(low, high)
+    }
+
+    /** The same for the entries of [a] less [factor] times those of [b]. */
+    internal fun include(a: DoubleArray, factor: Double, b: DoubleArray, from: Int, to: Int) {
+        var low = Double.POSITIVE_INFINITY
+        var high = Double.NEGATIVE_INFINITY
+        for (k in from until to) {
+            val v = a[k] - factor * b[k]
+            if (v < low) low = v
+            if (v > high) high = v
         }
+        include(low, high)
+    }
+
+    private fun include(low: Double, high: Double) = synchronized(this) {
+        if (low < least) least = low
+        if (high > greatest) greatest = high
     }
 }

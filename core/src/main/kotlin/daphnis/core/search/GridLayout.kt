@@ -3,6 +3,7 @@ package daphnis.core.search
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.population.SphereColumns
 import daphnis.core.space.Images
+import kotlin.math.abs
 
 /**
  * How a [Grid] divides space for one class of sizes: for the axis of rows (0), the middle axis (1) and the slow axis
@@ -54,6 +55,10 @@ internal class GridLayout : CellAxes() {
     var slideHigh = 0.0
         private set
 
+    /** Whether rows flow along themselves, with neighbours that flow nearly as fast. */
+    var haveFlow = false
+        private set
+
     /** The part of [margin] that does not come from the reach of other spheres. */
     val ownMargin = DoubleArray(3)
 
@@ -86,6 +91,7 @@ internal class GridLayout : CellAxes() {
         }
         limitCells()
         settle()
+        haveFlow = shear != null && candidates() >= RowBounds.WORTH_IN_FLOW && divideRowsOfFlow(images, duration)
         for (k in 0..2) keepPart(k, space.spanFrom[axes[k]])
         slides = shear != null
         if (slides) {
@@ -94,6 +100,22 @@ internal class GridLayout : CellAxes() {
             slideLow = minOf(offset, moved) * perLength[0] - SLACK
             slideHigh = maxOf(offset, moved) * perLength[0] + SLACK
         }
+    }
+
+    /**
+     * Divides the axis of rows for what spheres of neighbouring rows can do relative to one another, where [RowBounds]
+     * tell how fast each row is: in a wide sheared box all go far along it, but together.
+     *
+     * @return whether that makes much of a difference
+     */
+    private fun divideRowsOfFlow(images: Images, duration: Double): Boolean {
+        val slid = abs(images.shearVelocity) * duration / length[2]
+        val range = 2 * margin[2] * (1 + slid)
+        if (range >= margin[0]) return false
+        divide(0, range, ROW_CELLS_A_RANGE, MOST_CELLS_ALONG)
+        limitCells()
+        settle()
+        return true
     }
 
     private fun layOutAxis(k: Int, boundary: BoundaryConditions, images: Images, reach: Double, duration: Double) {

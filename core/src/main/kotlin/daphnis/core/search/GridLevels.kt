@@ -71,6 +71,9 @@ internal class GridLevels {
         return level
     }
 
+    /** See [GridLayout.haveFlow]. */
+    val haveFlow: Boolean get() = (0 until count).any { layouts[it].haveFlow }
+
     /** About how many spheres are in the cells that are searched for one of them, if they are spread evenly. */
     fun candidates(): Double {
         var sum = 0.0

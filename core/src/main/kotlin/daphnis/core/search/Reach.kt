@@ -4,6 +4,7 @@ import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.collision.StepRows
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
+import daphnis.core.population.MeanFlow
 import daphnis.core.population.SphereColumns
 import daphnis.core.population.nameNotFinite
 import kotlin.math.abs
@@ -22,6 +23,9 @@ public class Reach {
     private val fastest = DoubleArray(AXES)
     private val most = DoubleArray(AXES)
     private var headroom = LEAST_HEADROOM
+
+    /** The flow in which images slide. */
+    private var flow: MeanFlow? = null
 
     /** What was found of the spheres, or of all parts of them. */
     internal val measured = StepBounds()
@@ -87,6 +91,7 @@ public class Reach {
             most[axis] = mostReach / duration * (1 - 4 * ROUNDING)
             if (fastest[axis] > most[axis]) refuse(axis)
         }
+        flow = boundary.slidingFlow
         apply(duration)
     }
 
@@ -97,6 +102,7 @@ public class Reach {
      */
     internal fun take(whole: Reach) {
         headroom = whole.headroom
+        flow = whole.flow
         measured.take(whole.measured.numbers())
         for (axis in 0 until AXES) {
             fastest[axis] = whole.fastest[axis]
@@ -186,13 +192,24 @@ public class Reach {
     }
 
     private fun apply(duration: Double) {
-        // A flow without motion along an axis can gain some from the other axes, so every axis gets at least a small
-        // part of the greatest speed.
-        val floor = maxOf(fastest[0], fastest[1], fastest[2]) * LEAST_SHARE
+        val floor = floor()
         for (axis in 0 until AXES) {
             speed[axis] = minOf(maxOf(fastest[axis], floor) * (1 + headroom), most[axis])
             bound[axis] = speed[axis] * duration * (1 + ROUNDING)
         }
+    }
+
+    /**
+     * The speed that every axis gets at least, since one without motion can gain some from the others: a small part of
+     * the greatest. Where images slide in a flow that is the speed relative to the flow, and the difference of the flow
+     * over a sphere: the flow itself is that of neighbours too, and fast at the ends of a wide box.
+     */
+    private fun floor(): Double {
+        val greatest = maxOf(fastest[0], fastest[1], fastest[2]) * LEAST_SHARE
+        val flow = flow ?: return greatest
+        val across = maxOf(fastest[flow.normalAxis], fastest[AXES - flow.normalAxis - flow.flowAxis])
+        val relative = maxOf(across, measured.peculiar) * LEAST_SHARE
+        return minOf(greatest, maxOf(relative, 2 * largestRadius * abs(flow.rate)))
     }
 
     private fun refuse(axis: Int): Nothing = throw IllegalArgumentException(ImageRange.refusal(axis))

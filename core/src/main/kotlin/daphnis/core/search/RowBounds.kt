@@ -54,7 +54,7 @@ public class RowBounds {
         loop: RangeLoop,
         fewest: Double = WORTH_CANDIDATES,
     ) {
-        isInUse = grid.levels.candidates() >= fewest
+        isInUse = grid.levels.candidates() >= fewest || grid.levels.haveFlow
         if (!isInUse) return
         this.duration = duration
         val levels = grid.levels
@@ -125,6 +125,9 @@ public class RowBounds {
 
         /** Measured: half the time of a step at 260 candidates, no gain at 40, a loss at 20. */
         const val WORTH_CANDIDATES = 80.0
+
+        /** The same where rows flow together, so that bounds leave a few of them. */
+        const val WORTH_IN_FLOW = 20.0
         private const val ROWS_A_PIECE = 32
         private val ENTRY: VarHandle = MethodHandles.arrayElementVarHandle(DoubleArray::class.java)
     }

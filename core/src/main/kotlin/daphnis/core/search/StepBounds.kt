@@ -4,6 +4,7 @@ import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.parallel.Extremes
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.parallel.forEachPiece
+import daphnis.core.population.MeanFlow
 import daphnis.core.population.SphereColumns
 import daphnis.core.population.isFinite
 
@@ -25,9 +26,14 @@ internal class StepBounds {
     private val speeds = List(AXES) { Extremes() }
     private val places = List(AXES) { Extremes() }
     private val radii = Extremes()
+    private val againstFlow = Extremes()
 
     /** Greatest speed along each axis; 0 without spheres. */
     val fastest = DoubleArray(AXES)
+
+    /** The greatest speed relative to the mean flow along it, where images slide in one; 0 without spheres. */
+    var peculiar = 0.0
+        private set
 
     /** Least and greatest position along each axis that was measured; +∞ and −∞ without spheres. */
     val lowest = DoubleArray(AXES)
@@ -70,6 +76,8 @@ internal class StepBounds {
             places[axis].clear()
         }
         radii.clear()
+        againstFlow.clear()
+        val flow = boundary.slidingFlow
         loop.runLight(spheres.size) { worker, from, to ->
             forEachPiece(from, to) { first, end ->
                 val isFinite = along?.look(worker, first, end) == true || spheres.isFinite(first, end)
@@ -79,6 +87,10 @@ internal class StepBounds {
                     if (everywhere || boundary.hasImages(axis)) places[axis].include(spheres.position(axis), first, end)
                 }
                 radii.include(spheres.radius, first, end)
+                if (flow != null) {
+                    val v = spheres.velocity(flow.flowAxis)
+                    againstFlow.include(v, flow.rate, spheres.position(flow.normalAxis), first, end)
+                }
             }
         }
         for (axis in 0 until AXES) {
@@ -86,13 +98,14 @@ internal class StepBounds {
             lowest[axis] = places[axis].least
             highest[axis] = places[axis].greatest
         }
+        peculiar = againstFlow.magnitude
         leastRadius = radii.least
         largestRadius = radii.magnitude
     }
 
     /** Everything as numbers of which the greatest count, for [take]. */
     fun numbers(): DoubleArray = fastest + DoubleArray(AXES) { -lowest[it] } + highest +
-        doubleArrayOf(-leastRadius, largestRadius, headroom)
+        doubleArrayOf(-leastRadius, largestRadius, headroom, peculiar)
 
     /** Takes over the [numbers] of all parts, of which the greatest were found. */
     fun take(numbers: DoubleArray) {
@@ -104,9 +117,13 @@ internal class StepBounds {
         leastRadius = -numbers[3 * AXES]
         largestRadius = numbers[3 * AXES + 1]
         headroom = numbers[3 * AXES + 2]
+        peculiar = numbers[3 * AXES + 3]
     }
 
     private companion object {
         const val AXES = 3
     }
 }
+
+/** The mean flow, where images slide in it. */
+internal val BoundaryConditions.slidingFlow: MeanFlow? get() = if (shear == null) null else meanFlow

@@ -6,6 +6,7 @@ import daphnis.core.boundary.Box
 import daphnis.core.boundary.LeesEdwards
 import daphnis.core.boundary.Open
 import daphnis.core.boundary.Periodic
+import daphnis.core.hill.HillSheet
 import daphnis.core.collision.StepRows
 import daphnis.core.collision.StepRows.Companion.STRIDE
 import daphnis.core.collision.StepRows.Companion.TIME
@@ -106,6 +107,25 @@ class ReachTest {
             assertNear(listOf(4 * 1.0735, 2 * 1.0735, 0.4 * 1.0735), reach.speed)
             repeat(30) { reach.measure(population, Open, 0.5) }
             assertNear(listOf(4.2, 2.1, 0.42), reach.speed)
+        }
+    }
+
+    @Test
+    fun `in a flow in which images slide, what every axis gets is of speeds relative to it`() {
+        val sheet = HillSheet(Box.centred(200.0, 200.0, 10.0), 0.2)
+        val rate = sheet.meanFlow!!.rate
+        fun sphere(x: Double, vx: Double, slower: Double) = Sphere(x = x, vx = vx, vy = rate * x - slower, r = 0.5)
+        // 0.3 a sphere across; then a tenth of 5 along the flow, or of 8 across it; and a part of 30, which all go at.
+        for ((vx, slower, least) in listOf(
+            Triple(0.0, 0.0, 0.3),
+            Triple(0.0, 5.0, 0.5),
+            Triple(0.0, -5.0, 0.5),
+            Triple(8.0, 5.0, 0.8),
+            Triple(0.0, 90.0, 8.9),
+        )) {
+            val reach = reach(populationOf(sphere(-99.0, 0.0, 0.0), sphere(10.0, vx, slower)), sheet)
+            assertEquals(least * 1.05, reach.speed[2], 0.11) { "$vx, $slower" }
+            assertEquals(maxOf(vx, least) * 1.05, reach.speed[0], 0.11) { "$vx, $slower" }
         }
     }
 
