@@ -44,7 +44,7 @@ public class Simulation internal constructor(
     runStart: Double?,
     elsewhere: RemoteSteps?,
     clock: Clock?,
-    partition: Partition = Partition.Whole,
+    partition: Partition,
 ) : AutoCloseable {
     @JvmOverloads
     public constructor(
@@ -57,7 +57,20 @@ public class Simulation internal constructor(
         startTime: Double = 0.0,
         startStep: Long = 0,
         runStart: Double? = null,
-    ) : this(population, boundary, collisions, timeStep, forces, outputs, startTime, startStep, runStart, null, null) {
+    ) : this(
+        population,
+        boundary,
+        collisions,
+        timeStep,
+        forces,
+        outputs,
+        startTime,
+        startStep,
+        runStart,
+        null,
+        null,
+        Partition.Whole,
+    ) {
         if (collisions != null && startStep == 0L) collisions.isStartUnchecked = true
     }
 

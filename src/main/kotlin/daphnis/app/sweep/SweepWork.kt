@@ -65,7 +65,8 @@ internal class SweepWork(
             teller.at(run.name, 1.0)
             if (wasFinished) drawMissing(run, place)
         }
-        result.failure?.let { directory.noteFailure(run.name, it) }
+        // None, too: another process may have noted that it could not have this run meanwhile.
+        directory.noteFailure(run.name, result.failure)
         return result
     }
 

@@ -68,6 +68,15 @@ class SweepWorkTest {
     }
 
     @Test
+    fun `what another process noted of a run while this one was at it is gone when it is finished`() {
+        val run = plan.runs[0]
+        val directory = SweepDirectory(folder.resolve("busy"))
+        val result = work("busy") { false.also { directory.noteFailure(run.name, "another process is at it") } }
+        assertNull(result.carryOut(run)!!.failure)
+        assertNull(directory.failure(run.name))
+    }
+
+    @Test
     fun `nothing is begun after it was cancelled`() {
         assertNull(work("none") { true }.carryOut(plan.runs[0]))
         assertTrue(!Files.exists(folder.resolve("none")))

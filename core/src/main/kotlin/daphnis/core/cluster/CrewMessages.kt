@@ -4,7 +4,7 @@ import daphnis.core.CommonNumber
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.collision.CollisionRecord
 import daphnis.core.collision.Counter
-import daphnis.core.collision.StepTally
+import daphnis.core.engine.StepTally
 import java.nio.ByteBuffer
 
 /** What the leader of a crew asks of each node. */

@@ -12,7 +12,7 @@ import daphnis.core.Stops
 import daphnis.core.TimeStep
 import daphnis.core.boundary.state
 import daphnis.core.collision.CollisionCounters
-import daphnis.core.collision.StepTally
+import daphnis.core.engine.StepTally
 import daphnis.core.measure
 import daphnis.core.parallel.FixedPool
 import daphnis.core.parallel.RangeLoop

@@ -6,7 +6,6 @@ import daphnis.core.collision.CollisionCounters
 import daphnis.core.collision.CollisionLaw
 import daphnis.core.collision.CollisionRecord
 import daphnis.core.collision.NoGuard
-import daphnis.core.collision.StepTally
 import daphnis.core.population.Population
 import daphnis.core.search.Overlap
 import daphnis.core.search.Reach

@@ -26,6 +26,12 @@ public interface Partition {
      */
     public fun everyone(population: Population): SphereColumns
 
+    public companion object {
+        /** [Whole], for Java. */
+        @JvmStatic
+        public fun whole(): Partition = Whole
+    }
+
     /** There is no rest. */
     public object Whole : Partition {
         override fun find(population: Population, ids: IntArray, place: DoubleArray) {

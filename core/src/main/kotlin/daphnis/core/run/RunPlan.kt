@@ -4,10 +4,11 @@ import daphnis.core.CommonNumber
 import daphnis.core.Output
 import daphnis.core.Simulation
 import daphnis.core.cluster.FleetEngines
-import daphnis.core.collision.StepTally
 import daphnis.core.engine.EngineFactory
 import daphnis.core.engine.SerialEngine
+import daphnis.core.engine.StepTally
 import daphnis.core.population.MaterialSums
+import daphnis.core.population.Partition
 import daphnis.core.population.PopulationSums
 import daphnis.core.population.SpinSums
 import daphnis.core.scenario.OutputSpec
@@ -107,7 +108,7 @@ internal fun planOf(
         val elsewhere = nodes?.steps(setup, setup.population, forcing, time, step)
         Simulation(
             setup.population, setup.boundary, forcing, setup.timeStep, setup.forces, emptyList(), time, step,
-            scenario.startTime, elsewhere, scenario.clock,
+            scenario.startTime, elsewhere, scenario.clock, Partition.Whole,
         )
     }
     return closingIfItThrows(simulation) {

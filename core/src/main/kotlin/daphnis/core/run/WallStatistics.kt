@@ -3,9 +3,9 @@ package daphnis.core.run
 import daphnis.core.Output
 import daphnis.core.OutputState
 import daphnis.core.Simulation
-import daphnis.core.collision.WallSums
 import daphnis.core.population.ExactSum
 import daphnis.core.wall.WallContact
+import daphnis.core.wall.WallSums
 
 /**
  * Sums over the collisions of a run with walls, where any of these moves or is thermal: what they give to spheres. They

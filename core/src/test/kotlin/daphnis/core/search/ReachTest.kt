@@ -6,11 +6,11 @@ import daphnis.core.boundary.Box
 import daphnis.core.boundary.LeesEdwards
 import daphnis.core.boundary.Open
 import daphnis.core.boundary.Periodic
-import daphnis.core.hill.HillSheet
 import daphnis.core.collision.StepRows
 import daphnis.core.collision.StepRows.Companion.STRIDE
 import daphnis.core.collision.StepRows.Companion.TIME
 import daphnis.core.collision.StepRows.Companion.VX
+import daphnis.core.hill.HillSheet
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.population.Population
 import daphnis.core.populationOf

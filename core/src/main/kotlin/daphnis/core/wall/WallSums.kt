@@ -1,6 +1,7 @@
-package daphnis.core.collision
+package daphnis.core.wall
 
-import daphnis.core.wall.WallContact
+import daphnis.core.collision.CollisionRecord
+import daphnis.core.collision.RecordSums
 
 /**
  * Sums over the collisions with walls: the energy that walls gave, and from [IMPULSES] on their momentum by face, and
@@ -23,15 +24,5 @@ internal class WallSums : RecordSums() {
     companion object {
         const val WORK = 0
         const val IMPULSES = 1
-    }
-}
-
-/** Sums by axis over the collisions of two spheres: the heat that they carry from centre to centre. */
-internal class HeatSums : RecordSums() {
-    override fun add(record: CollisionRecord) {
-        for (k in 0 until record.size) {
-            if (record.isWall(k)) continue
-            for (axis in 0..2) sum(axis).add(record.handedOver(k) * record.separation(k, axis))
-        }
     }
 }
