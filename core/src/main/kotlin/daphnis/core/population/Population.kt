@@ -167,10 +167,12 @@ public class Population internal constructor(
     /**
      * Makes room for the spheres of [places] all of which may come from other nodes, and counts crossings from 0. For a
      * population that is a part of another.
+     *
+     * @param areFew see [Crossings]
      */
-    internal fun beginPart(places: IdPlaces) {
+    internal fun beginPart(places: IdPlaces, areFew: Boolean = true) {
         idPlaces = places
-        crossings = Crossings(places, areFew = true)
+        crossings = Crossings(places, areFew)
         crossingsBefore = crossings
         indexIsCurrent = false
     }

@@ -82,7 +82,7 @@ class CrewTest {
         SpheresWire.send(room.mail(0), Mail.LEADER, part)
         val home = populationOf(Sphere(x = 1.0, r = 0.1))
         // More places than an array can have.
-        home.beginPart(IdPlaces.like(null, Int.MAX_VALUE))
+        home.beginPart(IdPlaces.like(null, Int.MAX_VALUE), areFew = false)
         val crew = Crew(room.mail(Mail.LEADER), listOf(FleetNode("host:0", 1, 0)), 0)
         assertThrows(OutOfMemoryError::class.java) { crew.gather(home) }
         assertEquals(1.0, home.x[0])
