@@ -114,10 +114,10 @@ internal class StepSums(
     fun potentialEnergy(simulation: Simulation, force: Force): Double {
         val energies = energiesIn(simulation)
         val time = simulation.time
-        if (force is Partitioned) {
+        if (!energies.have(force)) {
+            if (force !is Partitioned) return force.potentialEnergy(simulation.population, simulation.boundary, time)
             return CommonNumber.POTENTIAL_ENERGY.anywhere(simulation, simulation.forces.indexOf(force))
         }
-        if (!energies.have(force)) return force.potentialEnergy(simulation.population, simulation.boundary, time)
         of(simulation)
         if (!hasEnergies) energies.take(simulation.population, time, loopOf(simulation))
         hasEnergies = true

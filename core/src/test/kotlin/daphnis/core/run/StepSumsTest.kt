@@ -7,7 +7,10 @@ import daphnis.core.boundary.Box
 import daphnis.core.boundary.Open
 import daphnis.core.boundary.Periodic
 import daphnis.core.force.BodyGravity
+import daphnis.core.force.PerSphereEnergy
 import daphnis.core.force.UniformAcceleration
+import daphnis.core.population.Partition
+import daphnis.core.population.Partitioned
 import daphnis.core.population.PopulationSums
 import daphnis.core.populationOf
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -42,6 +45,24 @@ class StepSumsTest {
         assertTrue(sums.potentialEnergy(s, pull) < 30)
         assertEquals(pull.potentialEnergy(s.population, s.boundary, s.time), sums.potentialEnergy(s, pull))
         assertEquals(5.0 - 0.01, sums.of(s).centreZ, 1e-3)
+    }
+
+    /** A force that knows of nodes, and has an energy that each sphere has by itself. */
+    private class Both(pull: UniformAcceleration) :
+        PerSphereEnergy by pull,
+        Partitioned {
+        override var partition: Partition = Partition.Whole
+    }
+
+    @Test
+    fun `an energy that each sphere has by itself is summed as such, also of a force that asks nodes`() {
+        val both = Both(pull)
+        val p = populationOf(Sphere(z = 3.0, m = 2.0))
+        val s = Simulation(p, Open, null, FixedTimeStep(0.1), listOf(both))
+        val sums = StepSums(PopulationSums(null))
+        assertEquals(2.0 * 2 * 3, sums.potentialEnergy(s, both))
+        s.population.z[0] = 6.0
+        assertEquals(2.0 * 2 * 3, sums.potentialEnergy(s, both)) { "of one state all" }
     }
 
     @Test
