@@ -154,11 +154,10 @@ private class FewCounts : Counts {
         val more = LongArray(2 * keys.size) { FREE }
         val moreValues = IntArray(more.size)
         for (old in keys.indices) {
-            if (keys[old] !=
-                FREE
-            ) {
-                moreValues[slot(keys[old], more).also { more[it] = keys[old] }] = values[old]
-            }
+            if (keys[old] == FREE) continue
+            val slot = slot(keys[old], more)
+            more[slot] = keys[old]
+            moreValues[slot] = values[old]
         }
         keys = more
         values = moreValues
