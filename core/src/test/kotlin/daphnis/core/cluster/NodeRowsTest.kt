@@ -3,10 +3,13 @@ package daphnis.core.cluster
 import daphnis.core.Engines
 import daphnis.core.Output
 import daphnis.core.population.Conserved
+import daphnis.core.population.stateDigest
 import daphnis.core.run.Run
+import daphnis.core.run.RunException
 import daphnis.core.run.Summary
 import daphnis.core.scenario.ScenarioJson
 import org.junit.jupiter.api.Assertions.assertEquals
+import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.Timeout
@@ -127,6 +130,24 @@ class NodeRowsTest {
         val found = Run.resume(to, engines = nodes(2)).use { it.execute() }
         assertEquals(expected.stateDigest, found.stateDigest)
         assertSameRows()
+    }
+
+    @Test
+    fun `a step that fails does so with the same words, and the state before it is kept`() {
+        // One sphere grows until it would touch its own image.
+        val fails = arrayOf("particles.count=1", "growth={\"rate\": 2}", "until=5.5", "timeStep.dt=0.04")
+        val serial = assertThrows(RunException::class.java) { serial(RowCase.GROWING, *fails) }
+        val nodes =
+            assertThrows(RunException::class.java) { nodes(ThreadFleet(3), RowCase.GROWING, Output { }, *fails) }
+        assertTrue("touches its own image" in serial.message!!) { serial.message!! }
+        assertEquals(serial.message, nodes.message)
+        val states = listOf("serial", "nodes").map { run ->
+            Run.resume(home.resolve(run), engines = Engines).use {
+                listOf(it.resumedFrom, stateDigest(it.simulation.population))
+            }
+        }
+        assertTrue(states[0][0] as Long > 100)
+        assertEquals(states[0], states[1])
     }
 
     @Test
