@@ -52,8 +52,6 @@ class FleetOptionsTest {
         assertRefused(daphnis("run", "shear-cell", "--host", "a"), "--host", "needs --cluster")
         assertRefused(daphnis("run", "shear-cell", "--config", "a"), "--config", "needs --cluster or --nodes")
         assertRefused(daphnis("run", "shear-cell", "--cluster", "a:1", "--threads", "2"), "--threads", "each node")
-        assertRefused(daphnis("run", "self-gravity-wakes", "--nodes", "2", "--out", out), "self-gravity", "one machine")
-        assertRefused(daphnis("run", "glass", "--nodes", "2", "--out", out), "growth", "one machine")
         assertRefused(daphnis("resume", "${folder.resolve("none")}", "--nodes", "3"), "none")
         assertRefused(daphnis("resume", out, "--threads", "2"), "--threads", "needs --nodes")
         fun refuse(vararg options: String, says: String) =
