@@ -10,6 +10,7 @@ import daphnis.core.parallel.InlineLoop
 import daphnis.core.population.Conserved
 import daphnis.core.population.Partition
 import daphnis.core.population.Population
+import daphnis.core.potential.PairEnergy
 
 /**
  * The loop: a population, boundary conditions, collisions, a list of forces and a list of outputs, advanced one step at
@@ -124,7 +125,11 @@ public class Simulation internal constructor(
      * The forces in the order in which they act before the drift. A [Drift] acts next to the drift: last before it,
      * first after it. A boundary that is a [Drift] is one of them.
      */
-    public val forces: List<Force> = (forces + listOfNotNull(boundary as? Drift)).sortedBy { it is Drift }
+    public val forces: List<Force> =
+        (forces + listOfNotNull(boundary as? Drift, energyOfPairs(forces))).sortedBy { it is Drift }
+
+    private fun energyOfPairs(forces: List<Force>) =
+        collisions?.states?.takeIf { forces.none { it is PairEnergy } }?.let { PairEnergy(it) }
 
     /** What computes the steps; null where spheres pass through one another. */
     internal val workforce: Workforce? = elsewhere ?: collisions?.engine
@@ -143,6 +148,7 @@ public class Simulation internal constructor(
         require(time.isFinite()) { "start time is $startTime; it must be finite" }
         require(this.forces.count { it is Drift } <= 1) { "two forces are a Drift; there can be only one" }
         for (force in this.forces) force.useLoop(loop)
+        collisions?.bind(population, boundary, time)
     }
 
     /**

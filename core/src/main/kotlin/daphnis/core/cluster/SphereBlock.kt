@@ -1,12 +1,16 @@
 package daphnis.core.cluster
 
+import daphnis.core.population.Bonds
 import daphnis.core.population.PopulationColumns
 import daphnis.core.population.SphereColumns
 import daphnis.core.population.SphereQuantity
 import daphnis.core.population.optional
 import java.nio.ByteBuffer
 
-/** Spheres in a message: the set of optional quantities that they have, their columns one after the other in the order of places, the ids. */
+/**
+ * Spheres in a message: the set of optional quantities that they have, their columns one after the other in the order of
+ * places, the ids, and the list of partners of each, its length before it, where pairs have states.
+ */
 internal object SphereBlock {
     /** Bytes of [count] of these [spheres], with their number. */
     fun bytes(spheres: SphereColumns, count: Int): Int =
@@ -15,8 +19,11 @@ internal object SphereBlock {
     /** Reads [count] spheres. */
     fun read(from: ByteBuffer, count: Int): PopulationColumns {
         val columns = Array(SphereQuantity.WIDTH) { SphereQuantity.NONE }
-        for (place in SphereQuantity.present(from.get().toInt())) columns[place] = from.doubles(count)
-        return PopulationColumns(columns, from.ints(count))
+        val optional = from.get().toInt()
+        for (place in SphereQuantity.present(optional)) columns[place] = from.doubles(count)
+        val ids = from.ints(count)
+        if (optional and SphereQuantity.BONDED == 0) return PopulationColumns(columns, ids)
+        return PopulationColumns(columns, ids, Array(count) { from.ints(from.int) })
     }
 
     /** Reads what [write] of one range of entries has written, with their number. */
@@ -36,6 +43,10 @@ internal object SphereBlock {
             eachRange { from, until -> to.doubles(column, from, until) }
         }
         eachRange { from, until -> to.ints(spheres.id, from, until) }
+        if (spheres.bonds === Bonds.NONE) return
+        eachRange { from, until ->
+            for (k in from until until) spheres.bonds[k].let { to.int(it.size).ints(it) }
+        }
     }
 
     private const val HEAD = Int.SIZE_BYTES + Byte.SIZE_BYTES

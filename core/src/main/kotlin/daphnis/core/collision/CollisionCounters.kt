@@ -1,7 +1,7 @@
 package daphnis.core.collision
 
 /**
- * What an engine has counted since the start of the run. The first three numbers belong to the trajectory and are the
+ * What an engine has counted since the start of the run. The first four numbers belong to the trajectory and are the
  * same for every engine. The rest tell how the engine worked.
  */
 public class CollisionCounters {
@@ -28,11 +28,18 @@ public class CollisionCounters {
             counts[2] = value
         }
 
-    /** Steps restored and redone because a sphere went farther than the bound on its reach. */
-    public var redoneSteps: Long
+    /** Passages and reflections of two spheres at an edge of their interaction. */
+    public var edgeEvents: Long
         get() = counts[3]
         set(value) {
             counts[3] = value
+        }
+
+    /** Steps restored and redone because a sphere went farther than the bound on its reach. */
+    public var redoneSteps: Long
+        get() = counts[4]
+        set(value) {
+            counts[4] = value
         }
 
     /**
@@ -42,9 +49,9 @@ public class CollisionCounters {
      * throws, and is not counted.
      */
     public var causalityReplays: Long
-        get() = counts[4]
+        get() = counts[5]
         set(value) {
-            counts[4] = value
+            counts[5] = value
         }
 
     internal operator fun get(counter: Counter): Long = counts[counter.ordinal]
@@ -82,13 +89,15 @@ public class CollisionCounters {
  * The numbers of [CollisionCounters] in their order.
  *
  * @property key in checkpoints
+ * @property isNew whether checkpoints of older versions lack it
  * @property isOfTrajectory whether every engine counts the same; of parts of a population, the counts add up. What all
  *   parts do together is counted by each
  */
-internal enum class Counter(val key: String, val isOfTrajectory: Boolean) {
+internal enum class Counter(val key: String, val isOfTrajectory: Boolean, val isNew: Boolean = false) {
     COLLISIONS("collisions", true),
     WALL_COLLISIONS("wallCollisions", true),
     GUARD_ACTIVATIONS("guardActivations", true),
+    EDGE_EVENTS("edgeEvents", true, isNew = true),
     REDONE_STEPS("redoneSteps", false),
     CAUSALITY_REPLAYS("causalityReplays", false),
 }

@@ -3,6 +3,9 @@ package daphnis.core.collision
 import daphnis.core.collision.StepRows.Companion.MARKS
 import daphnis.core.collision.StepRows.Companion.STRIDE
 import daphnis.core.collision.StepRows.Companion.VX
+import daphnis.core.potential.EdgeExchange
+import daphnis.core.potential.PairInteractions
+import daphnis.core.potential.PairStates
 import daphnis.core.space.Images
 import daphnis.core.space.Space
 import daphnis.core.surface.ContactLaw
@@ -27,6 +30,7 @@ import kotlin.math.sqrt
  * @param turning angular speed about z of the axes in which spins are given: Ω in Hill's frame, else 0
  * @param acceleration of all spheres along x, y, z, by forces that kick them before and after the drift: what walls
  *   need to know of the true paths
+ * @property interactions what spheres do to one another besides impacts; null for nothing
  */
 public class CollisionLaw @JvmOverloads constructor(
     law: ContactLaw,
@@ -35,6 +39,7 @@ public class CollisionLaw @JvmOverloads constructor(
     public val momentFactor: Double = SurfaceContact.SOLID,
     turning: Double = 0.0,
     private val acceleration: List<Double> = STILL,
+    public val interactions: PairInteractions? = null,
 ) {
     /** Both coefficients. */
     public val contactLaw: ContactLaw = if (roughness == null) law else RoughContact(law, roughness)
@@ -63,6 +68,16 @@ public class CollisionLaw @JvmOverloads constructor(
     /** The acceleration of all spheres along [axis]. */
     internal fun acceleration(axis: Int): Double = acceleration[axis]
 
+    /**
+     * The time from the start of the step at which the spheres in slots [first] and [second] of [rows] meet or come to an
+     * edge of their interaction; without one, [contactTime].
+     */
+    public fun meetingTime(rows: StepRows, first: Int, second: Int, image: Int, images: Images): Double {
+        val states = edges?.states ?: return contactTime(rows, first, second, image, images)
+        val state = states.of(rows, first, rows, second)
+        return states.time(state, rows.state, first * STRIDE, rows.state, second * STRIDE, image, images)
+    }
+
     /** The coefficient of restitution at a wall whose own is [own]; the guard may make it 1 as between spheres. */
     internal fun atWall(own: Double, rows: StepRows, slot: Int, speed: Double, time: Double): Double {
         if (!guard.needsLastCollision) return if (guard.makesElastic(speed, 0.0, 0.0)) 1.0 else own
@@ -78,6 +93,9 @@ public class CollisionLaw @JvmOverloads constructor(
         val turns = rows.wx[slot] * rows.wx[slot] + rows.wy[slot] * rows.wy[slot] + rows.wz[slot] * rows.wz[slot]
         return 0.5 * rows.mass[slot] * (squares + momentFactor * r * r * turns)
     }
+
+    /** What happens at the edges of [interactions]. */
+    internal val edges: EdgeExchange? = interactions?.let { EdgeExchange(PairStates(it)) }
 
     /** For spheres and walls. */
     internal val spins = SpinExchange(momentFactor, turning)
@@ -109,13 +127,20 @@ public class CollisionLaw @JvmOverloads constructor(
             val uy = state[q + 1] - state[p + 1] + images.slide(image, 1)
             val uz = state[q + 2] - state[p + 2] + images.slide(image, 2)
             val b = dx * ux + dy * uy + dz * uz
-            if (b >= 0.0) return false
             val d2 = dx * dx + dy * dy + dz * dz
+            val isEdge = edges != null && edges.pass(rows, first, second, b, d2, outcome)
+            if (!isEdge && b >= 0.0) return false
             outcome.separationX = dx
             outcome.separationY = dy
             outcome.separationZ = dz
             outcome.impactSpeed = -b / sqrt(d2)
             val restitution = restitution
+            if (isEdge) {
+                exchange(rows, first, second, outcome.factor, outcome)
+                separate(rows, first, second, image, images, outcome, if (outcome.outward) 1.0 else -1.0)
+                return@separation
+            }
+            outcome.edge = CollisionOutcome.CONTACT
             if (restitution != null) {
                 askGuard(rows, first, second, time, outcome)
                 outcome.coefficient = if (outcome.guarded) 1.0 else restitution.coefficient(outcome.impactSpeed)
@@ -133,7 +158,8 @@ public class CollisionLaw @JvmOverloads constructor(
             val m1 = rows.mass[first]
             val m2 = rows.mass[second]
             outcome.impulse = (1.0 + outcome.coefficient) * outcome.impactSpeed * (m1 * m2 / (m1 + m2))
-            separate(rows, first, second, image, images, outcome)
+            separate(rows, first, second, image, images, outcome, sign = 1.0)
+            edges?.met(rows, first, second)
         }
         outcome.rank = 1 + maxOf(rows.rank(first), rows.rank(second))
         rows.marks[first * MARKS] = outcome.rank
@@ -214,7 +240,8 @@ public class CollisionLaw @JvmOverloads constructor(
      * Sees to it that the two do not approach any more. After an impact with ε = 0 they may still do so by round-off,
      * and an impulse as small as the rounding of the velocities is lost, or moves only the slower one. They touch, so
      * they would collide at once, and again for ever. What is added is of the size of that rounding, and moves both: of
-     * three that press on one another the one in the middle would else be pushed to and fro.
+     * three that press on one another the one in the middle would else be pushed to and fro. At an edge the same may be
+     * so of two that are to approach, where [sign] is −1.
      */
     private fun separate(
         rows: StepRows,
@@ -223,21 +250,22 @@ public class CollisionLaw @JvmOverloads constructor(
         image: Int,
         images: Images,
         outcome: CollisionOutcome,
+        sign: Double,
     ) {
-        var b = approach(rows, first, second, image, images, outcome)
+        var b = sign * approach(rows, first, second, image, images, outcome)
         var fastest = maxOf(rows.fastestComponent(first), rows.fastestComponent(second))
         for (axis in 0..2) fastest = maxOf(fastest, abs(images.slide(image, axis)))
         val rounding = VELOCITY_ROUNDING * fastest
-        if (b >= 0.0 && outcome.impactSpeed > rounding) return
+        if (b >= 0.0 && abs(outcome.impactSpeed) > rounding) return
         val dx = outcome.separationX
         val dy = outcome.separationY
         val dz = outcome.separationZ
         val d2 = dx * dx + dy * dy + dz * dz
         var more = minOf(b / d2, -rounding / sqrt(d2), -Double.MIN_VALUE)
         do {
-            exchange(rows, first, second, more, outcome)
+            exchange(rows, first, second, sign * more, outcome)
             more *= 2
-            b = approach(rows, first, second, image, images, outcome)
+            b = sign * approach(rows, first, second, image, images, outcome)
         } while (b < 0.0)
     }
 

@@ -9,15 +9,18 @@ import daphnis.core.surface.SurfaceContact
  */
 @EngineApi
 public class CollisionOutcome {
-    /** Normal component of the relative velocity at contact, > 0. */
+    /** Normal component of the relative velocity at contact, > 0; at an edge ([isEdge]) < 0 where the two recede. */
     public var impactSpeed: Double = 0.0
         internal set
 
-    /** Coefficient of restitution that the collision had. */
+    /** Coefficient of restitution that the collision had; at an edge −1 times the ratio of velocities where it is passed. */
     public var coefficient: Double = 1.0
         internal set
 
-    /** Momentum that the second sphere received along the normal, ≥ 0. The first received the opposite. */
+    /**
+     * Momentum that the second sphere received along the normal, ≥ 0, and of either sign at an edge. The first received
+     * the opposite.
+     */
     public var impulse: Double = 0.0
         internal set
 
@@ -34,6 +37,7 @@ public class CollisionOutcome {
         impactSpeed = 0.0
         impulse = 0.0
         coefficient = 1.0
+        edge = CONTACT
         forgetSurfaces()
         this.rank = rank
         separationX = 0.0
@@ -64,6 +68,16 @@ public class CollisionOutcome {
     public var rank: Int = 0
         internal set
 
+    /** Where the two met: [CONTACT], or what happened at an edge, [IN], [OUT] or [BACK]. */
+    internal var edge = CONTACT
+
+    /** Whether this was no collision but an event at an edge of an interaction ([daphnis.core.potential.PairInteraction]). */
+    public val isEdge: Boolean get() = edge != CONTACT
+
+    /** At an edge: the velocities change by this times the separation, shared by the masses; whether the two recede then. */
+    internal var factor = 0.0
+    internal var outward = false
+
     /** What laws are asked about. */
     internal val contact = SurfaceContact()
 
@@ -84,4 +98,18 @@ public class CollisionOutcome {
     /** Whether the guard made the collision elastic. */
     public var guarded: Boolean = false
         internal set
+
+    internal companion object {
+        /** Surfaces met. */
+        const val CONTACT = 0
+
+        /** The pair passed an edge on approach. */
+        const val IN = 1
+
+        /** It passed one as it receded. */
+        const val OUT = 2
+
+        /** It was turned back at an edge. */
+        const val BACK = 3
+    }
 }

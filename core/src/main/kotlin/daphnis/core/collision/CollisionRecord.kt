@@ -50,7 +50,8 @@ public class CollisionRecord() : GrowingTable() {
 
     /**
      * Impact speed, coefficient, impulse, separation x y z, tangential impulse x y z, surface dissipation, energy
-     * handed over: eleven numbers per collision, the four before the last 0 for smooth spheres.
+     * handed over, what happened at an edge: twelve numbers per collision, tangential impulse and surface dissipation 0
+     * for smooth spheres that meet.
      */
     public var data: DoubleArray = DoubleArray(0)
         private set
@@ -66,11 +67,21 @@ public class CollisionRecord() : GrowingTable() {
     /** Whether collision [k] is one with a wall. */
     public fun isWall(k: Int): Boolean = lower[k] < 0
 
+    /**
+     * Whether [k] is no collision but an event at an edge of an interaction ([daphnis.core.potential.PairInteraction]).
+     * Then [impactSpeed] is below 0 where the two recede, [impulse] where they attract, [coefficient] where they pass the
+     * edge, and [surfaceDissipation] is the energy of motion that is lost and not potential energy after it.
+     */
+    public fun isEdge(k: Int): Boolean = data[k * WIDTH + EDGE] != 0.0
+
     public fun impactSpeed(k: Int): Double = data[k * WIDTH]
 
     public fun coefficient(k: Int): Double = data[k * WIDTH + 1]
 
-    /** Momentum that the sphere with the higher id received along the normal, ≥ 0. The other received the opposite. */
+    /**
+     * Momentum that the sphere with the higher id received along the normal, ≥ 0 in collisions. The other received the
+     * opposite.
+     */
     public fun impulse(k: Int): Double = data[k * WIDTH + 2]
 
     /** Component [axis] of the vector between the centres. */
@@ -137,6 +148,7 @@ public class CollisionRecord() : GrowingTable() {
         data[p + 8] = sign * outcome.slideZ + 0.0
         data[p + 9] = outcome.rubbed
         data[p + HANDED_OVER] = 0.0
+        data[p + EDGE] = outcome.edge.toDouble()
     }
 
     /** Appends entries [from] until [to] of [other]. */
@@ -181,7 +193,8 @@ public class CollisionRecord() : GrowingTable() {
 
     internal companion object {
         /** Numbers in [data] for each collision. */
-        const val WIDTH = 11
+        const val WIDTH = 12
         private const val HANDED_OVER = 10
+        private const val EDGE = 11
     }
 }

@@ -28,6 +28,24 @@ public fun contactTime(rows: StepRows, first: Int, second: Int, image: Int, imag
 
 /** The same for rows that begin at entry [p] of [a] and entry [q] of [b]. */
 public fun contactTime(a: DoubleArray, p: Int, b: DoubleArray, q: Int, image: Int, images: Images): Double {
+    relativeMotion(a, p, b, q, image, images) { t, dx, dy, dz, ux, uy, uz ->
+        return t + timeToContact(dx, dy, dz, ux, uy, uz, a[p + RADIUS] + b[q + RADIUS])
+    }
+}
+
+/**
+ * Calls [use] with the later of the two local times, and the vector from the first to the second centre and their
+ * relative velocity at that time, and returns its result.
+ */
+internal inline fun <R> relativeMotion(
+    a: DoubleArray,
+    p: Int,
+    b: DoubleArray,
+    q: Int,
+    image: Int,
+    images: Images,
+    use: (t: Double, dx: Double, dy: Double, dz: Double, ux: Double, uy: Double, uz: Double) -> R,
+): R {
     // Both at the later of the two local times. The sphere with the earlier one is moved there along its path, without
     // being changed.
     val t = maxOf(a[p + TIME], b[q + TIME])
@@ -43,7 +61,7 @@ public fun contactTime(a: DoubleArray, p: Int, b: DoubleArray, q: Int, image: In
     val dz =
         (b[q + 2] + b[q + VX + 2] * dtQ) - (a[p + 2] + a[p + VX + 2] * dtP) +
             (images.shift(image, 2) + images.slide(image, 2) * t)
-    return t + timeToContact(dx, dy, dz, ux, uy, uz, a[p + RADIUS] + b[q + RADIUS])
+    return use(t, dx, dy, dz, ux, uy, uz)
 }
 
 /**

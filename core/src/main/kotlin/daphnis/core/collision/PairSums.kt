@@ -29,14 +29,16 @@ internal class PairSums : RecordSums() {
         val impulse = record.impulse(k)
         if (waiting == BLOCK) sumWaiting()
         val at = waiting++
-        count++
-        terms[SPEED][at] = speed
-        terms[SPEED_SQUARED][at] = speed * speed
-        if (speed > 0) {
+        val isEdge = record.isEdge(k)
+        if (!isEdge) count++
+        terms[SPEED][at] = if (isEdge) 0.0 else speed
+        terms[SPEED_SQUARED][at] = if (isEdge) 0.0 else speed * speed
+        if (speed > 0 && !isEdge) {
             counts[((StrictMath.log10(speed) - LEAST_DECADE) * BINS_A_DECADE).toInt().coerceIn(0, BINS - 1)]++
         }
         // impulse = μ (1 + ε) v_n, so the loss ½ μ (1 − ε²) v_n² is half of impulse · (1 − ε) · v_n.
-        terms[DISSIPATED][at] = 0.5 * impulse * (1 - coefficient) * speed + record.surfaceDissipation(k)
+        val restituted = if (isEdge) 0.0 else 0.5 * impulse * (1 - coefficient) * speed
+        terms[DISSIPATED][at] = restituted + record.surfaceDissipation(k)
         val dx = record.separation(k, 0)
         val dy = record.separation(k, 1)
         val dz = record.separation(k, 2)

@@ -4,6 +4,7 @@ import daphnis.core.api.EngineApi
 import daphnis.core.growth.GrowingTable
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
+import daphnis.core.population.Bonds
 import daphnis.core.population.Population
 import daphnis.core.population.SphereColumns
 import daphnis.core.population.SphereQuantity
@@ -51,6 +52,13 @@ public class StepRows : GrowingTable() {
     /** Places of those that collisions change. */
     internal var changing: IntArray = RowColumns.changing(tracks = false, optional = 0)
         private set
+
+    /** Partners of each sphere and the states of the pairs by slot, see [Bonds]; empty where pairs have none. */
+    internal var bonds: Array<IntArray> = Bonds.NONE
+        private set
+
+    /** Whether this step carries [bonds]. */
+    private val hasBonds: Boolean get() = optional and SphereQuantity.BONDED != 0
 
     /** The column at [place], which is not in [state], by slot. */
     internal fun side(place: Int): DoubleArray = sides[place]
@@ -126,6 +134,7 @@ public class StepRows : GrowingTable() {
         reserveSides(carried, room)
         tracksLastCollision = tracks
         this.optional = optional
+        reserveBonds(room)
         changing = RowColumns.changing(tracks, optional)
         this.carried = carried
     }
@@ -134,40 +143,10 @@ public class StepRows : GrowingTable() {
         for (side in places) if (sides[side].size < room) sides[side] = sides[side].copyOf(room)
     }
 
-    private fun loadRange(population: SphereColumns, order: IntArray, from: Int, to: Int) {
-        val state = state
-        val x = population.x
-        val y = population.y
-        val z = population.z
-        val vx = population.vx
-        val vy = population.vy
-        val vz = population.vz
-        val r = population.radius
-        var p = from * STRIDE
-        for (slot in from until to) {
-            val k = order[slot]
-            state[p] = x[k]
-            state[p + 1] = y[k]
-            state[p + 2] = z[k]
-            state[p + VX] = vx[k]
-            state[p + VX + 1] = vy[k]
-            state[p + VX + 2] = vz[k]
-            state[p + TIME] = 0.0
-            state[p + RADIUS] = r[k]
-            p += STRIDE
-        }
-        val ids = population.id
-        for (slot in from until to) {
-            val k = order[slot]
-            id[slot] = ids[k]
-            origin[slot] = k
-        }
-        marks.fill(0, from * MARKS, to * MARKS)
-        for (side in carried) {
-            val own = sides[side]
-            val column = population.column(side)
-            for (slot in from until to) own[slot] = column[order[slot]]
-        }
+    private fun reserveBonds(room: Int) {
+        if (!hasBonds || bonds.size >= room) return
+        val before = bonds
+        bonds = Array(room) { if (it < before.size) before[it] else Bonds.FREE }
     }
 
     /**
@@ -194,6 +173,7 @@ public class StepRows : GrowingTable() {
         val k = append()
         copyState(population, index, state, k * STRIDE)
         for (side in carried) sides[side][k] = population.column(side)[index]
+        if (hasBonds) bonds[k] = population.bonds[index]
         id[k] = population.id[index]
         origin[k] = index
         marks.fill(0, k * MARKS, (k + 1) * MARKS)
@@ -210,6 +190,7 @@ public class StepRows : GrowingTable() {
         resolution = rows.resolution
         rows.state.copyInto(state, k * STRIDE, slot * STRIDE, (slot + 1) * STRIDE)
         for (side in carried) sides[side][k] = rows.sides[side][slot]
+        if (hasBonds) bonds[k] = rows.bonds[slot]
         id[k] = rows.id[slot]
         origin[k] = rows.origin[slot]
         rows.marks.copyInto(marks, k * MARKS, slot * MARKS, (slot + 1) * MARKS)
@@ -221,6 +202,7 @@ public class StepRows : GrowingTable() {
         rows.state.copyInto(state, slot * STRIDE, k * STRIDE, (k + 1) * STRIDE)
         rows.marks.copyInto(marks, slot * MARKS, k * MARKS, (k + 1) * MARKS)
         for (side in changing) sides[side][slot] = rows.sides[side][k]
+        if (hasBonds) bonds[slot] = rows.bonds[k]
     }
 
     /** Moves [slot] along its path to its collision at [time], from the start of the step. */
@@ -239,6 +221,7 @@ public class StepRows : GrowingTable() {
         state = state.copyOf(room * STRIDE)
         reserveSides(NEEDED, room)
         reserveSides(carried, room)
+        reserveBonds(room)
         id = id.copyOf(room)
         origin = origin.copyOf(room)
         marks = marks.copyOf(room * MARKS)

@@ -6,7 +6,11 @@ import daphnis.core.collision.CollisionCounters
 import daphnis.core.collision.CollisionLaw
 import daphnis.core.collision.CollisionRecord
 import daphnis.core.collision.NoGuard
+import daphnis.core.population.Bonds
 import daphnis.core.population.Population
+import daphnis.core.potential.PairInteractions
+import daphnis.core.potential.PairStates
+import daphnis.core.potential.bind
 import daphnis.core.search.Overlap
 import daphnis.core.search.Reach
 import daphnis.core.search.SearchStructure
@@ -25,6 +29,7 @@ import daphnis.core.surface.SurfaceContact
  * @param recordCollisions whether the collisions of each step are kept in [record] for outputs
  * @param roughness what surfaces do to one another in a collision, in place of what [law] says; null for the law's
  * @param momentFactor moment of inertia of spheres over mass · radius²
+ * @param interactions what spheres do to one another besides impacts; null for nothing
  */
 public class CollisionForcing @JvmOverloads constructor(
     law: ContactLaw,
@@ -34,8 +39,9 @@ public class CollisionForcing @JvmOverloads constructor(
     private val search: SearchStructure = SearchStructure.AUTO,
     roughness: Roughness? = null,
     internal val momentFactor: Double = SurfaceContact.SOLID,
+    interactions: PairInteractions? = null,
 ) : AutoCloseable {
-    private var collisionLaw = CollisionLaw(law, guard, roughness, momentFactor)
+    private var collisionLaw = CollisionLaw(law, guard, roughness, momentFactor, interactions = interactions)
     private var step: CollisionStep? = null
 
     /** See [daphnis.core.force.Drift.turning]; to be set before the first step. */
@@ -57,7 +63,8 @@ public class CollisionForcing @JvmOverloads constructor(
 
     private fun renewLaw() {
         val law = collisionLaw
-        collisionLaw = CollisionLaw(law.contactLaw, law.guard, null, momentFactor, turning, acceleration)
+        collisionLaw =
+            CollisionLaw(law.contactLaw, law.guard, null, momentFactor, turning, acceleration, law.interactions)
         step = null
     }
 
@@ -85,7 +92,7 @@ public class CollisionForcing @JvmOverloads constructor(
      */
     public fun advance(population: Population, boundary: BoundaryConditions, start: Double, duration: Double) {
         val step = step.takeIf { it != null && it.population === population && it.boundary === boundary }
-            ?: newStep(population, boundary).also { step = it }
+            ?: newStep(population, boundary, start).also { step = it }
         if (isStartUnchecked) {
             // What no engine takes is refused first, as they do it: pairs are not searched for among such spheres.
             Reach().measure(population, boundary, duration)
@@ -98,18 +105,34 @@ public class CollisionForcing @JvmOverloads constructor(
         engine.advance(step)
     }
 
-    private fun newStep(population: Population, boundary: BoundaryConditions): CollisionStep {
+    /** The states of pairs; null without interactions. */
+    internal val states: PairStates? get() = collisionLaw.edges?.states
+
+    /**
+     * Gives the pairs of [population] their states at [time], unless they have any.
+     *
+     * @throws IllegalArgumentException for spheres with which no step can begin
+     */
+    internal fun bind(population: Population, boundary: BoundaryConditions, time: Double) {
+        val states = states
+        if (states == null || population.bonds !== Bonds.NONE) return
+        Reach().measure(population, boundary, SHORT)
+        states.bind(population, boundary, time)
+    }
+
+    private fun newStep(population: Population, boundary: BoundaryConditions, time: Double): CollisionStep {
         val isRough = collisionLaw.isRough || boundary.walls.any { it.roughness != null }
         require(!isRough || population.hasSpin) {
             "spheres or walls are rough, and the population has no angular velocities; give them, such as 0 for all"
         }
         collisionLaw.requireIn(boundary.space)
+        bind(population, boundary, time)
         return CollisionStep(population, boundary, collisionLaw, counters, search)
     }
 
     /** @throws IllegalArgumentException when spheres overlap at the time [start] */
     internal fun checkStart(population: Population, boundary: BoundaryConditions, start: Double) {
-        if (isStartUnchecked) Overlap.requireNone(population, boundary, start)
+        if (isStartUnchecked && states?.areHard != false) Overlap.requireNone(population, boundary, start)
         isStartUnchecked = false
     }
 
@@ -118,6 +141,9 @@ public class CollisionForcing @JvmOverloads constructor(
     }
 
     public companion object {
+        /** No sphere goes anywhere in a step of this length. */
+        private const val SHORT = 1e-30
+
         /** Names the parts of a forcing with the law [restitution] one by one. */
         @JvmStatic
         public fun builder(restitution: Restitution): CollisionForcingBuilder = CollisionForcingBuilder(restitution)

@@ -2,6 +2,7 @@ package daphnis.core.engine
 
 import daphnis.core.collision.CollapseGuard
 import daphnis.core.collision.NoGuard
+import daphnis.core.potential.PairInteractions
 import daphnis.core.search.SearchStructure
 import daphnis.core.surface.ContactLaw
 import daphnis.core.surface.Roughness
@@ -25,6 +26,7 @@ public class CollisionForcingBuilder internal constructor(private val law: Conta
     private var search = SearchStructure.AUTO
     private var roughness: Roughness? = null
     private var momentFactor = SurfaceContact.SOLID
+    private var interactions: PairInteractions? = null
 
     /** What ends inelastic collapse; nothing unless given. */
     public fun guard(guard: CollapseGuard): CollisionForcingBuilder = apply { this.guard = guard }
@@ -57,7 +59,11 @@ public class CollisionForcingBuilder internal constructor(private val law: Conta
     /** Moment of inertia of spheres over mass · radius², > 0; 2/5 unless given. */
     public fun momentFactor(factor: Double): CollisionForcingBuilder = apply { momentFactor = factor }
 
+    /** What spheres do to one another besides impacts; nothing unless given. */
+    public fun interactions(interactions: PairInteractions): CollisionForcingBuilder =
+        apply { this.interactions = interactions }
+
     /** The forcing; it is closed with the simulation. */
     public fun build(): CollisionForcing =
-        CollisionForcing(law, guard, makeEngine(), recordCollisions, search, roughness, momentFactor)
+        CollisionForcing(law, guard, makeEngine(), recordCollisions, search, roughness, momentFactor, interactions)
 }

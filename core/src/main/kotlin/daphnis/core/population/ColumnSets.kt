@@ -64,6 +64,14 @@ internal class ColumnSets(now: PopulationColumns) {
         if (now.fixed === before?.fixed) now.fixed = now.fixed.withOwnRadii()
     }
 
+    /** The present columns, and those before a step under way, are such with these [bonds] from now on. */
+    fun bind(bonds: Array<IntArray>) {
+        val bound = now.with(bonds)
+        if (before === now) before = bound
+        now = bound
+        spare = null
+    }
+
     /** Begins a step that can be taken back until [commit]. */
     fun begin() {
         before = now

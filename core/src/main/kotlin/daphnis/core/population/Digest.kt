@@ -8,7 +8,8 @@ import java.util.HexFormat
 
 /**
  * The state digest: SHA-256 over x y z vx vy vz of all spheres in the order of their ids, as big-endian IEEE doubles.
- * Where spheres have spins, ωx ωy ωz of all follow, in the same order.
+ * Where spheres have spins, ωx ωy ωz of all follow, in the same order. Where pairs have states
+ * ([SphereColumns.bonds]), lower id, higher id and state of each follow, as big-endian ints, in the order of ids.
  *
  * Two runs with the same digest have the same trajectory to the last bit. The digest does not depend on the order in
  * which the arrays are kept.
@@ -19,6 +20,8 @@ public fun stateDigest(population: Population): String {
     val sha = MessageDigest.getInstance("SHA-256")
     sha.update(population, MOTION)
     if (population.hasSpin) sha.update(population, SPIN)
+    val pairs = Bonds.pairs(population, population.indicesById())
+    sha.update(ByteBuffer.allocate(pairs.size * Int.SIZE_BYTES).apply { asIntBuffer().put(pairs) }.array())
     return HexFormat.of().formatHex(sha.digest())
 }
 

@@ -29,6 +29,8 @@ public class Population internal constructor(
 
     override fun column(place: Int): DoubleArray = now.column(place)
 
+    override val bonds: Array<IntArray> get() = now.bonds
+
     /**
      * Time since each sphere's last collision, as a negative number counted from the end of the last step, or −∞ when
      * it never collided. Kept only while a collapse guard asks for it; part of the state of a run, though not of the
@@ -126,9 +128,7 @@ public class Population internal constructor(
      * call this at the same time for different spheres. Part of the state of a run, though not of the digest. It costs
      * nothing for spheres that do not cross.
      */
-    public fun addCrossing(index: Int, axis: Int, boxes: Int) {
-        crossings.add(id[index], axis, boxes)
-    }
+    public fun addCrossing(index: Int, axis: Int, boxes: Int): Unit = crossings.add(id[index], axis, boxes)
 
     /** Keeps the spheres whose index [keep] accepts, with their ids, for boundaries that remove the rest. Allocates. */
     public fun retain(keep: IntPredicate) {
@@ -136,8 +136,10 @@ public class Population internal constructor(
         var n = 0
         for (k in 0 until size) if (keep.test(k)) kept[n++] = k
         if (n == size) return
-        sets.replace(PopulationColumns.picked(now, kept.copyOf(n)))
+        val left = PopulationColumns.picked(now, kept.copyOf(n))
+        sets.replace(left)
         indexIsCurrent = false
+        for (k in left.bonds.indices) left.bonds[k] = Bonds.only(left.bonds[k]) { indexOf(it) >= 0 }
     }
 
     /**
@@ -189,9 +191,7 @@ public class Population internal constructor(
     internal fun reserveCrossings(): Unit = crossings.reserve()
 
     /** Adds to [boxesCrossed] of the sphere [id], which may be elsewhere now. */
-    internal fun addCrossingOf(id: Int, axis: Int, boxes: Int) {
-        crossings.add(id, axis, boxes)
-    }
+    internal fun addCrossingOf(id: Int, axis: Int, boxes: Int): Unit = crossings.add(id, axis, boxes)
 
     /** A deep copy with these angular velocities by index, see [SphereColumns.wx]; of the length of the others, finite. */
     public fun withSpin(wx: DoubleArray, wy: DoubleArray, wz: DoubleArray): Population {
@@ -235,10 +235,11 @@ public class Population internal constructor(
         keepsOrder: Boolean = false,
     ): PopulationColumns = sets.toWrite(count, keepsOrder, tracksLastCollision)
 
+    /** From now on pairs have these states, see [bonds]. */
+    internal fun bind(bonds: Array<IntArray>): Unit = sets.bind(bonds)
+
     /** To be called with [columnsToWrite] that are not written to any more and not taken. */
-    internal fun giveBack(columns: PopulationColumns) {
-        sets.giveBack(columns)
-    }
+    internal fun giveBack(columns: PopulationColumns): Unit = sets.giveBack(columns)
 
     /** Makes [columns] the columns of the population. Cannot fail. */
     internal fun take(columns: PopulationColumns) {

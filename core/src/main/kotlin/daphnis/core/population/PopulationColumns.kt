@@ -10,11 +10,16 @@ import daphnis.core.population.SphereQuantity.Companion.NONE
  *
  * @param numbers an array for each place, see [SphereQuantity]
  */
-internal class PopulationColumns(private val numbers: Array<DoubleArray>, id: IntArray) : SphereColumns {
+internal class PopulationColumns(
+    private val numbers: Array<DoubleArray>,
+    id: IntArray,
+    override val bonds: Array<IntArray> = Bonds.NONE,
+) : SphereColumns {
     /** An empty set for [size] spheres. */
     constructor(size: Int, optional: Int = 0) : this(
         Array(SphereQuantity.WIDTH) { if (isThere(it, optional)) DoubleArray(size) else NONE },
         IntArray(size),
+        bonds(size, optional),
     )
 
     /** An empty set for [size] spheres that have what those of [other] have, with its notes of collisions. */
@@ -29,6 +34,7 @@ internal class PopulationColumns(private val numbers: Array<DoubleArray>, id: In
             }
         },
         IntArray(size),
+        bonds(size, other.optional),
     )
 
     override val size: Int get() = numbers[0].size
@@ -62,13 +68,17 @@ internal class PopulationColumns(private val numbers: Array<DoubleArray>, id: In
     /** Copies all but positions to [to], which shares our [fixed]. */
     fun copyAllButPositionsInto(to: PopulationColumns) {
         for (place in KEPT) numbers[place].copyInto(to.numbers[place])
+        bonds.copyInto(to.bonds)
         to.shareNotes(this)
     }
 
     /** The same columns with [given] as those of [quantity]. */
     fun with(quantity: SphereQuantity, given: List<DoubleArray>): PopulationColumns = quantity.places.let { places ->
-        PopulationColumns(Array(numbers.size) { if (it in places) given[it - places.first] else numbers[it] }, id)
+        PopulationColumns(Array(numbers.size) { if (it in places) given[it - places.first] else numbers[it] }, id, bonds)
     }
+
+    /** The same columns with these [bonds]. */
+    fun with(bonds: Array<IntArray>): PopulationColumns = PopulationColumns(numbers, id, bonds)
 
     /** The same columns, and such of 0 where spheres are to have the quantities of [optional] from now on. */
     fun having(optional: Int): PopulationColumns = PopulationColumns(
@@ -77,16 +87,21 @@ internal class PopulationColumns(private val numbers: Array<DoubleArray>, id: In
             if (isNew) DoubleArray(size) else numbers[place]
         },
         id,
+        if (bonds === Bonds.NONE) bonds(size, optional) else bonds,
     )
 
     /** Copies all spheres to entries [at] and following of [to]. */
     fun copyInto(to: PopulationColumns, at: Int) {
         for (place in SphereQuantity.present(optional)) numbers[place].copyInto(to.numbers[place], at)
         id.copyInto(to.id, at)
+        bonds.copyInto(to.bonds, at)
     }
 
     companion object {
         private fun isThere(place: Int, optional: Int) = SphereQuantity.at(place).isIn(optional)
+
+        private fun bonds(size: Int, optional: Int) =
+            if (optional and SphereQuantity.BONDED == 0) Bonds.NONE else Bonds.column(size)
 
         private val FIXED = SphereQuantity.places { it.change == NEVER }
 
@@ -117,6 +132,7 @@ internal class PopulationColumns(private val numbers: Array<DoubleArray>, id: In
                 if (all === NONE) all else DoubleArray(kept.size) { all[kept[it]] }
             },
             IntArray(kept.size) { spheres.id[kept[it]] },
+            if (spheres.bonds === Bonds.NONE) Bonds.NONE else Array(kept.size) { spheres.bonds[kept[it]] },
         )
 
         /**
@@ -136,6 +152,7 @@ internal class PopulationColumns(private val numbers: Array<DoubleArray>, id: In
                     part.column(place).copyInto(all.numbers[place], at, 0, part.size)
                 }
                 part.id.copyInto(all.id, at, 0, part.size)
+                if (part.bonds !== Bonds.NONE) part.bonds.copyInto(all.bonds, at, 0, part.size)
                 at += part.size
             }
             return all

@@ -56,6 +56,12 @@ public interface SphereColumns {
     /** Numbers 0, 1, 2, … of materials, see [Population.materials], which no step changes. Empty unless [hasMaterials]. */
     public val material: DoubleArray get() = column(MATERIAL)
 
+    /**
+     * Partners of each sphere, by ascending id, each followed by the state of the pair: `[id, state, id, state, …]`, see
+     * [daphnis.core.potential.PairInteraction]. Not to be changed. Empty where pairs remember nothing.
+     */
+    public val bonds: Array<IntArray> get() = Bonds.NONE
+
     /** See [Population.lastCollision]. */
     public val lastCollision: DoubleArray get() = column(SphereQuantity.LAST_COLLISION.place)
 

@@ -4,7 +4,8 @@ package daphnis.core.population
  * What is known of every sphere besides its id, declared once: each quantity with its columns, units, and what steps,
  * digest and files do with it. Columns have a **place**, counted through all quantities in the order of declaration.
  * Populations, rows, undo, checkpoints, digest, the files of others and messages between nodes go through this list, so
- * a new quantity is a line here and the code that computes with it.
+ * a new quantity is a line here and the code that computes with it. What pairs remember, which no column of numbers can
+ * hold, goes beside it ([Bonds]).
  *
  * @property title as H5MD, VTK and Python call it
  * @property columns names of its columns, as tables, LAMMPS and Python's frames call them
@@ -181,9 +182,13 @@ internal enum class SphereQuantity(
 
         private val OPTIONAL = entries.filter { it.isOptional }
 
+        /** Bit of the set for spheres whose pairs remember something, see [Bonds]. */
+        @JvmField
+        val BONDED: Int = 1 shl OPTIONAL.size
+
         /** Number of sets of optional quantities, which are 0 until it. */
         @JvmField
-        val SETS: Int = 1 shl OPTIONAL.size
+        val SETS: Int = 2 * BONDED
 
         private val PRESENT = Array(SETS) { optional -> places { it.isIn(optional) } }
 
@@ -194,6 +199,7 @@ internal enum class SphereQuantity(
         fun of(spheres: SphereColumns): Int {
             var set = 0
             for (k in FIRST_OPTIONAL.indices) if (spheres.column(FIRST_OPTIONAL[k]) !== NONE) set = set or (1 shl k)
+            if (spheres.bonds !== Bonds.NONE) set = set or BONDED
             return set
         }
 

@@ -1,6 +1,7 @@
 package daphnis.core.run
 
 import daphnis.core.OutputState
+import daphnis.core.population.Bonds
 import daphnis.core.population.Population
 import daphnis.core.population.PopulationColumns
 import daphnis.core.population.SphereQuantity
@@ -16,7 +17,8 @@ import java.nio.file.Path
  * four-letter name, a long with the length of what follows, that many bytes, and their CRC-32C as an int; all
  * big-endian. `META` is JSON ([CheckpointMeta]); `SCEN` is `scenario.json` as it was; `IDS `, `POSX` … `IMGZ` are
  * arrays in the order of ids; `OUTS` is what outputs keep ([SavedOutputs]); `END.` is empty and last. Only
- * spheres with spins have `SPNX` … `SPNZ`, only those with materials `MATE`, and their names, a line each, in `NAME`. A
+ * spheres with spins have `SPNX` … `SPNZ`, only those with materials `MATE`, and their names, a line each, in `NAME`; and
+ * only those whose pairs have states `PAIR`: lower id, higher id and state of each pair ([Bonds]). A
  * file that was cut short, lacks a record or has flipped bytes is refused. In the run of a [Program] `SCEN` is
  * `run.json`. Formats 2 and 3 are read, see [OlderMeta].
  *
@@ -40,9 +42,10 @@ internal class Checkpoint(val head: Head, val population: Population, val output
         private const val IDS = "IDS "
         private const val OUTPUTS = "OUTS"
         private const val MATERIALS = "NAME"
+        private const val PAIRS = "PAIR"
         private val COLUMNS = SphereQuantity.entries.flatMap { it.records }
         private val IMAGES = listOf("IMGX", "IMGY", "IMGZ")
-        private val NAMES = setOf(META, SCENARIO, IDS, OUTPUTS, MATERIALS, Records.END) + COLUMNS + IMAGES
+        private val NAMES = setOf(META, SCENARIO, IDS, OUTPUTS, MATERIALS, PAIRS, Records.END) + COLUMNS + IMAGES
         private val json = Json { encodeDefaults = true }
 
         /** @param outputs what they have saved, by name */
@@ -60,6 +63,7 @@ internal class Checkpoint(val head: Head, val population: Population, val output
                 records.integers(IDS, spheres.ids)
                 for ((place, column) in spheres.columns) records.doubles(COLUMNS[place], column)
                 if (spheres.materials.isNotEmpty()) records.text(MATERIALS, spheres.materials.joinToString("\n"))
+                if (spheres.havePairs) records.integers(PAIRS, spheres.pairs)
                 for ((name, boxes) in IMAGES.zip(spheres.boxes)) records.integers(name, boxes)
                 records.write(OUTPUTS, SavedOutputs.bytes(outputs))
                 records.write(Records.END, ByteArray(0))
@@ -112,7 +116,9 @@ internal class Checkpoint(val head: Head, val population: Population, val output
             val columns = Array(COLUMNS.size) { SphereQuantity.NONE }
             for (place in SphereQuantity.present(optional)) columns[place] = records.doubles(COLUMNS[place])
             val names = if (MATERIALS in records) records.text(MATERIALS).split('\n') else emptyList()
-            val population = Population(PopulationColumns(columns, records.integers(IDS)), names)
+            val ids = records.integers(IDS)
+            val bonds = if (PAIRS in records) Bonds.column(ids, records.integers(PAIRS)) else Bonds.NONE
+            val population = Population(PopulationColumns(columns, ids, bonds), names)
             for ((axis, name) in IMAGES.withIndex()) {
                 records.integers(name).forEachIndexed { k, boxes ->
                     if (boxes != 0) {

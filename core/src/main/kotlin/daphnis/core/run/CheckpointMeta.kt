@@ -42,7 +42,7 @@ internal class CheckpointMeta(
     @EncodeDefault(EncodeDefault.Mode.NEVER) val snapshots: Map<Long, Long> = emptyMap(),
 ) {
     init {
-        val lacks = Counter.entries.find { it.isOfTrajectory && it.key !in counted }
+        val lacks = Counter.entries.find { it.isOfTrajectory && !it.isNew && it.key !in counted }
         require(lacks == null) { "it does not say ${lacks?.key}" }
         val wrong = pistons.entries.find { (_, state) -> state.size != 2 || !state.all { it.isFinite() } }
         require(wrong == null) { "the piston at face ${wrong?.key} has the state ${wrong?.value}" }

@@ -1,5 +1,6 @@
 package daphnis.core.run
 
+import daphnis.core.population.Bonds
 import daphnis.core.population.Population
 import daphnis.core.population.SphereQuantity
 import daphnis.core.population.optional
@@ -14,6 +15,10 @@ internal class SpheresById(population: Population) {
         val column = population.column(place)
         DoubleArray(order.size) { column[order[it]] }
     }
+
+    /** See [Bonds.pairs]. */
+    val pairs: IntArray = Bonds.pairs(population, order)
+    val havePairs: Boolean = population.bonds !== Bonds.NONE
 
     /** Names of materials, none where spheres have none. */
     val materials: List<String> = population.materials

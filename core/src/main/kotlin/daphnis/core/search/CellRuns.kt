@@ -50,7 +50,7 @@ public class CellRuns @JvmOverloads constructor(private val grid: Grid, private 
         val wayX = state[p + VX] * rest
         val wayY = state[p + VX + 1] * rest
         val wayZ = state[p + VX + 2] * rest
-        return ahead(slot, state[p], state[p + 1], state[p + 2], wayX, wayY, wayZ, state[p + RADIUS])
+        return ahead(slot, state[p], state[p + 1], state[p + 2], wayX, wayY, wayZ, state[p + RADIUS] * grid.swelling)
     }
 
     /** The same for a sphere of [radius] that stays at ([x], [y], [z]). */
@@ -122,7 +122,7 @@ public class CellRuns @JvmOverloads constructor(private val grid: Grid, private 
         time = state[p + TIME]
         starts = grid.cellStart
         for (level in 0 until levels.count) {
-            cover(level, state[p], state[p + 1], state[p + 2], wayX, wayY, wayZ, state[p + RADIUS])
+            cover(level, state[p], state[p + 1], state[p + 2], wayX, wayY, wayZ, state[p + RADIUS] * grid.swelling)
             addAll()
         }
         return size

@@ -50,6 +50,9 @@ public class Grid @JvmOverloads constructor(sort: GridSort = GridSort.COUNTING) 
 
     internal val levels = GridLevels()
 
+    /** By how much the radii of the spheres given to [build] are larger than those of the rows that are searched for. */
+    internal var swelling: Double = 1.0
+
     /** First slot of cell c; entry c + 1 is one past its last. */
     internal val cellStart: IntArray get() = sorted.start
 

@@ -18,6 +18,13 @@ public class NearPairs @JvmOverloads constructor(
     loop: RangeLoop = InlineLoop,
     structure: SearchStructure = SearchStructure.AUTO,
 ) {
+    /** The same for pairs up to [reach] times the sum of their radii apart. */
+    internal constructor(population: Population, boundary: BoundaryConditions, time: Double, reach: Double) :
+        this(population, boundary, time) {
+        val swollen = SwollenSpheres().take(population, reach * WIDER)
+        grid.build(swollen, boundary, time, 0.0, DoubleArray(AXES))
+    }
+
     @PublishedApi
     internal val grid: Grid = Grid()
 
@@ -72,6 +79,9 @@ public class NearPairs @JvmOverloads constructor(
 
     private companion object {
         const val AXES = 3
+
+        /** Room for rounding. */
+        const val WIDER = 1 + 1e-9
     }
 }
 

@@ -19,8 +19,10 @@ import daphnis.core.search.CellRuns
 internal class GridCandidates(private val step: PreparedStep) : Candidates {
     private val rows = step.rows
     private val near = CellRuns(step.grid, step.bounds)
+    private val atEdges = EdgeCandidates(step, near)
 
     override fun start(from: Int, to: Int, sink: EventSink) {
+        step.states?.let { return atEdges.start(from, to, sink, it) }
         for (slot in from until to) {
             startFrom(slot, sink)
             step.queueWalls(rows, slot, sink)
@@ -37,6 +39,7 @@ internal class GridCandidates(private val step: PreparedStep) : Candidates {
     }
 
     override fun around(own: StepRows, place: Int, except: Int, sink: EventSink) {
+        step.states?.let { return atEdges.around(own, place, except, sink, it) }
         val state = own.state
         val p = place * STRIDE
         val time = state[p + TIME]

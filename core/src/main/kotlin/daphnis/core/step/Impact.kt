@@ -89,7 +89,7 @@ internal open class Impact(
         schedule.removeAllOf(first)
         if (!isWall) schedule.removeAllOf(second)
         prepared.limits.checkProgress(rows, first, second, time)
-        prepared.limits.checkWork(counted.collisions + counted.wallCollisions)
+        prepared.limits.checkWork(counted.collisions + counted.wallCollisions + counted.edgeEvents)
         val isOutrun = prepared.isOutrun(rows, first) || !isWall && prepared.isOutrun(rows, second)
         if (isOutrun && !outrun(first, second)) return End.OUTRUN
         // The pair itself is searched once, from the first sphere; the second leaves it out.
@@ -108,7 +108,7 @@ internal open class Impact(
     private fun collide(time: Double, first: Int, second: Int, image: Int) {
         if (!prepared.step.law.collide(rows, first, second, image, prepared.images, time, outcome)) return
         if (!isCounted(first, second)) return
-        counted.collisions++
+        if (outcome.edge == CollisionOutcome.CONTACT) counted.collisions++ else counted.edgeEvents++
         if (outcome.guarded) counted.guardActivations++
         record?.add(time, rows, first, second, outcome)
     }

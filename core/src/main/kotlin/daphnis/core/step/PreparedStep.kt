@@ -3,15 +3,20 @@ package daphnis.core.step
 import daphnis.core.api.EngineApi
 import daphnis.core.boundary.prepare
 import daphnis.core.collision.StepRows
+import daphnis.core.collision.StepRows.Companion.STRIDE
+import daphnis.core.collision.contactTime
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
+import daphnis.core.population.Bonds
 import daphnis.core.population.SphereColumns
+import daphnis.core.potential.PairStates
 import daphnis.core.queue.EventSink
 import daphnis.core.search.Grid
 import daphnis.core.search.GridSort
 import daphnis.core.search.Reach
 import daphnis.core.search.RowBounds
 import daphnis.core.search.StepBounds
+import daphnis.core.search.SwollenSpheres
 import daphnis.core.space.Images
 import daphnis.core.wall.WallContact
 
@@ -62,6 +67,35 @@ public class PreparedStep @JvmOverloads constructor(sort: GridSort = GridSort.CO
     public var duration: Double = 0.0
         private set
 
+    /** The states of pairs; null where spheres do nothing to one another besides impacts. */
+    internal var states: PairStates? = null
+        private set
+
+    /** How much farther than contact a search has to look. */
+    private val swelling: Double get() = states?.let { it.reach * WIDER } ?: 1.0
+    private val swollen = SwollenSpheres()
+
+    /** How much farther apart than two spheres that touch those may be that come to an edge. */
+    internal val beyondContact: Double get() = 2 * reach.largestRadius * (1 - 1 / swelling)
+
+    /** [spheres] as a search has to see them. */
+    private fun seen(spheres: SphereColumns) = if (states == null) spheres else swollen.take(spheres, swelling)
+
+    /**
+     * The time at which the spheres in the slots [first] of [a] and [second] of [b] meet, or come to an edge of their
+     * interaction, see [daphnis.core.collision.contactTime].
+     */
+    internal fun meetingTime(a: StepRows, first: Int, b: StepRows, second: Int, image: Int): Double =
+        meetingTime(stateOf(a, first, b, second), a.state, first * STRIDE, b.state, second * STRIDE, image)
+
+    /** The same for a pair in [state] whose rows begin at entry [p] of [a] and entry [q] of [b]. */
+    internal fun meetingTime(state: Int, a: DoubleArray, p: Int, b: DoubleArray, q: Int, image: Int): Double =
+        states?.time(state, a, p, b, q, image, images) ?: contactTime(a, p, b, q, image, images)
+
+    /** The state of the pair in the slots [first] of [a] and [second] of [b], see [PairStates]. */
+    internal fun stateOf(a: StepRows, first: Int, b: StepRows, second: Int): Int =
+        states?.of(a, first, b, second) ?: Bonds.UNBOUND
+
     /** Counts the calls of [prepare], so that other objects can see that what they know of the step is stale. */
     internal var version = 0L
         private set
@@ -91,7 +125,7 @@ public class PreparedStep @JvmOverloads constructor(sort: GridSort = GridSort.CO
      */
     internal fun measureAlong(step: CollisionStep, loop: RangeLoop, along: StepBounds.AlongPieces?) {
         take(step, step.population, Grid.WHOLE)
-        reach.look(step.population, step.boundary, everywhere = false, loop, along)
+        reach.look(seen(step.population), step.boundary, everywhere = false, loop, along)
         reach.apply(step.boundary, duration)
         stage = Stage.MEASURED
     }
@@ -102,7 +136,7 @@ public class PreparedStep @JvmOverloads constructor(sort: GridSort = GridSort.CO
      */
     internal fun measure(step: CollisionStep, loop: RangeLoop, merge: (StepBounds) -> Unit) {
         take(step, step.population, Grid.WHOLE)
-        reach.look(step.population, step.boundary, everywhere = true, loop)
+        reach.look(seen(step.population), step.boundary, everywhere = true, loop)
         merge(reach.measured)
         reach.apply(step.boundary, duration)
         stage = Stage.MEASURED
@@ -124,6 +158,8 @@ public class PreparedStep @JvmOverloads constructor(sort: GridSort = GridSort.CO
         this.spheres = spheres
         this.middle = middle
         duration = step.duration
+        states = step.law.edges?.states
+        grid.swelling = swelling
         walls.prepare(step.boundary.walls, step.law, step.start, step.duration)
     }
 
@@ -131,7 +167,7 @@ public class PreparedStep @JvmOverloads constructor(sort: GridSort = GridSort.CO
     @JvmOverloads
     public fun prepare(loop: RangeLoop = InlineLoop) {
         requireStage(Stage.MEASURED, "prepare() follows measure() or enlarge()")
-        grid.build(spheres, step.boundary, step.start, duration, reach.bound, loop, step.search, middle)
+        grid.build(seen(spheres), step.boundary, step.start, duration, reach.bound, loop, step.search, middle)
         rows.load(spheres, grid.order, duration, step.law.guard.needsLastCollision, loop)
         bounds.measure(grid, rows, duration, loop)
         limits.start(rows.size, step.start)
@@ -194,6 +230,11 @@ public class PreparedStep @JvmOverloads constructor(sort: GridSort = GridSort.CO
         requireStage(Stage.PREPARED, "store() follows prepare()")
         stage = Stage.UNMEASURED
         rows.store(step.population, duration, loop)
+    }
+
+    private companion object {
+        /** Room for pairs that rounding has put beyond their outermost edge. */
+        const val WIDER = 1 + 1e-8
     }
 
     private enum class Stage { UNMEASURED, MEASURED, PREPARED }

@@ -9,6 +9,12 @@ internal class PairTable<T>(val others: T, private val rows: List<List<T>> = emp
     operator fun get(first: Int, second: Int): T =
         if (first in rows.indices && second in rows.indices) rows[first][second] else others
 
+    /** Number of materials of which anything is said. */
+    val size: Int get() = rows.size
+
+    /** All that is in the table, [others] first. */
+    fun values(): List<T> = listOf(others) + rows.flatten()
+
     /** What belongs to the materials of two spheres in [contact]. */
     operator fun get(contact: SurfaceContact): T = get(contact.firstMaterial, contact.secondMaterial)
 

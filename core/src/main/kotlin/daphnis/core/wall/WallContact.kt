@@ -65,6 +65,7 @@ public class WallContact {
      * [outcome]; elsewhere the caller does not read it.
      */
     public fun reflect(rows: StepRows, slot: Int, number: Int, time: Double, outcome: CollisionOutcome) {
+        outcome.edge = CollisionOutcome.CONTACT
         rows.advance(slot, time)
         contacts[places[number]].reflect(rows, slot, time, outcome)
     }

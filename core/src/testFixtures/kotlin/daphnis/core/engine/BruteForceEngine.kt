@@ -5,7 +5,6 @@ import daphnis.core.boundary.ContactFaces
 import daphnis.core.boundary.prepare
 import daphnis.core.collision.CollisionOutcome
 import daphnis.core.collision.StepRows
-import daphnis.core.collision.contactTime
 import daphnis.core.population.Population
 import daphnis.core.queue.ReferenceEventQueue
 import daphnis.core.space.Images
@@ -55,7 +54,7 @@ class BruteForceEngine : CollisionEngine {
             } else {
                 queue.removeAllOf(b)
                 if (step.law.collide(rows, a, b, queue.image, images, time, outcome)) {
-                    step.counters.collisions++
+                    if (outcome.isEdge) step.counters.edgeEvents++ else step.counters.collisions++
                     if (outcome.guarded) step.counters.guardActivations++
                     step.record?.add(time, rows, a, b, outcome)
                 }
@@ -70,7 +69,7 @@ class BruteForceEngine : CollisionEngine {
     }
 
     private fun queue(step: CollisionStep, a: Int, b: Int, code: Int) {
-        val t = contactTime(rows, a, b, code, images)
+        val t = step.law.meetingTime(rows, a, b, code, images)
         if (t <= step.duration) queue.add(t, a, b, code)
     }
 

@@ -78,6 +78,8 @@ class Draw(override val seed: Long) : Case {
     private val guards = listOf(FloorSpeedGuard(1e-3), ContactDurationGuard(1e-4 * dt), NoGuard)
     private val guard = guards[random.nextInt(if (filling > 0.05 || clumped) 2 else 3)]
 
+    private val interactions = InteractionDraw(seed).of(population, boundary)
+
     private fun Population.fillingNow() = if (clumped) maxOf(filling, 0.2) else filling
 
     private fun drawRadii(): DoubleArray {
@@ -171,6 +173,7 @@ class Draw(override val seed: Long) : Case {
 
     /** In some of the boxes that repeat spheres grow or shrink. */
     private fun around(): BoundaryConditions {
+        if (interactions != null) return boundary
         val isWhole = boundary is Periodic && (0..2).all { boundary.hasImages(it) }
         if (!isWhole || seed % 4 == 0L) return boundary
         val most = if (filling < 0.2 && !clumped) 0.05 else 0.002
@@ -187,6 +190,7 @@ class Draw(override val seed: Long) : Case {
             recordCollisions = true,
             search,
             momentFactor = surface.momentFactor,
+            interactions = interactions,
         ),
         FixedTimeStep(dt),
         forces(),
@@ -221,5 +225,5 @@ class Draw(override val seed: Long) : Case {
         "seed $seed: ${population.size} spheres, filling $filling${if (clumped) ", clumped" else ""}, " +
             "${around().javaClass.simpleName}${boundary.walls.surfaces.map {
                 ", $it"
-            }.joinToString("")}, dt $dt$surface"
+            }.joinToString("")}, dt $dt$surface${if (interactions != null) ", with steps" else ""}"
 }

@@ -21,7 +21,7 @@ fun assertSameStep(serial: Simulation, other: Simulation, story: String) {
     assertSameColumns(serial.population, other.population, story)
     val a = serial.collisions!!
     val b = other.collisions!!
-    fun counts(f: CollisionForcing) = with(f.counters) { listOf(collisions, wallCollisions, guardActivations) }
+    fun counts(f: CollisionForcing) = with(f.counters) { listOf(collisions, wallCollisions, guardActivations, edgeEvents) }
     assertEquals(counts(a), counts(b)) { story }
     val r = a.record!!
     val s = b.record!!
@@ -32,6 +32,7 @@ fun assertSameStep(serial: Simulation, other: Simulation, story: String) {
             r.lower[k] == s.lower[k] &&
             r.higher[k] == s.higher[k] &&
             r.impulse(k) == s.impulse(k) &&
+            r.isEdge(k) == s.isEdge(k) &&
             (0..2).all { r.separation(k, it) == s.separation(k, it) }
         assertTrue(same) { "$story: collision $k differs" }
     }

@@ -51,7 +51,7 @@ internal class Brick(ahead: BrickAhead.Choice = BrickAhead.Choice.QUICKEST) {
      */
     fun solve(whole: PreparedStep, middle: DoubleArray, halt: Halt, isAgain: Boolean, gather: Gathering) {
         outrun = 0
-        isAhead = !isAgain && ahead.solve(whole, middle, gather)
+        isAhead = !isAgain && whole.states == null && ahead.solve(whole, middle, gather)
         if (isAhead) return
         ahead.drop()
         if (isAgain) gather.anew(spheres)

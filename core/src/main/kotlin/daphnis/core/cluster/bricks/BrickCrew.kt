@@ -142,7 +142,7 @@ internal class BrickCrew(
         val boundary = whole.step.boundary
         val approached = abs(boundary.approach) * whole.duration
         val room = DoubleArray(AXES) {
-            val rounding = ImageRange.rounding(extent.from[it], extent.from[it] + extent.size[it])
+            val rounding = ImageRange.rounding(extent.from[it], extent.from[it] + extent.size[it]) + whole.beyondContact
             if (boundary.hasImages(it)) rounding + approached * boundary.box.length(it) else rounding
         }
         return HaloWidths(whole.reach.bound.copyOf(), room, bodies.edges(territory!!), margins.next())

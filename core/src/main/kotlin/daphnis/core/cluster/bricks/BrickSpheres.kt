@@ -2,6 +2,7 @@ package daphnis.core.cluster.bricks
 
 import daphnis.core.engine.horizon.Visits
 import daphnis.core.growth.IntList
+import daphnis.core.population.Bonds
 import daphnis.core.population.ColumnSets
 import daphnis.core.population.PopulationColumns
 import daphnis.core.population.SphereColumns
@@ -29,6 +30,8 @@ internal class BrickSpheres :
     override val id: IntArray get() = sets.now.id
 
     override fun column(place: Int): DoubleArray = sets.now.column(place)
+
+    override val bonds: Array<IntArray> get() = sets.now.bonds
 
     /** By place: the number of the last step in which the sphere was there. */
     private var seen = LongArray(0)
@@ -131,6 +134,7 @@ internal class BrickSpheres :
     private fun append(spheres: SphereColumns, from: Int, to: Int, areOwn: Boolean) {
         for (place in SphereQuantity.present(optional)) spheres.column(place).copyInto(column(place), size, from, to)
         spheres.id.copyInto(id, size, from, to)
+        if (spheres.bonds !== Bonds.NONE) spheres.bonds.copyInto(bonds, size, from, to)
         val end = size + to - from
         seen.fill(step, size, end)
         isOwn.fill(areOwn, size, end)
@@ -149,6 +153,7 @@ internal class BrickSpheres :
             for (place in SphereQuantity.present(optional)) {
                 spheres.column(place).copyInto(column(place), k, index, index + count)
             }
+            if (spheres.bonds !== Bonds.NONE) spheres.bonds.copyInto(bonds, k, index, index + count)
             for (slot in k until k + count) {
                 if (seen[slot] != step - 1) entered.add(slot)
                 if (!areOwn) near.add(slot)

@@ -1,5 +1,6 @@
 package daphnis.core.cluster.bricks
 
+import daphnis.core.population.Bonds
 import daphnis.core.population.SphereColumns
 import daphnis.core.population.SphereQuantity
 import daphnis.core.population.optional
@@ -31,6 +32,7 @@ internal object PathHash {
         for (place in SphereQuantity.present(spheres.optional)) {
             if (tracksLastCollision || place !in NOTES) h = mix(h, spheres.column(place)[k])
         }
+        if (spheres.bonds !== Bonds.NONE) for (number in spheres.bonds[k]) h = mix(h, number.toLong())
         return h
     }
 }

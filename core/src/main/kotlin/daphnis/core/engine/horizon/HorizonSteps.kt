@@ -98,6 +98,13 @@ public class HorizonSteps internal constructor(
         prospect?.look(step)
         val isAlone = loop.workers <= 2 && prospect?.isVeryLong == false
         isShort = isAlone || prospect?.isLong == false
+        // Lines and lists know contacts, and not the edges of interactions.
+        if (step.law.edges != null) {
+            judge = null
+            lists.drop()
+            epoch.drop()
+            return false
+        }
         judge = if (prospect?.isLong == false) null else quicker
         val way = judge?.choose(waysOf(step, isAlone))
         loop.isAlone = isAlone || way == ALONE

@@ -41,6 +41,7 @@ internal class Attempts : GrowingTable() {
         marks[p + COLLISIONS] = counted.collisions
         marks[p + WALL_COLLISIONS] = counted.wallCollisions
         marks[p + GUARDED] = counted.guardActivations
+        marks[p + EDGES] = counted.edgeEvents
     }
 
     fun isAlive(attempt: Int): Boolean = alive[attempt]
@@ -68,6 +69,7 @@ internal class Attempts : GrowingTable() {
             counters.collisions += counted(k, COLLISIONS)
             counters.wallCollisions += counted(k, WALL_COLLISIONS)
             counters.guardActivations += counted(k, GUARDED)
+            counters.edgeEvents += counted(k, EDGES)
         }
     }
 
@@ -80,6 +82,7 @@ internal class Attempts : GrowingTable() {
         const val COLLISIONS = 2
         const val WALL_COLLISIONS = 3
         const val GUARDED = 4
-        const val WIDTH = 5
+        const val EDGES = 5
+        const val WIDTH = 6
     }
 }

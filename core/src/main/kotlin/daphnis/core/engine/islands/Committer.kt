@@ -1,7 +1,6 @@
 package daphnis.core.engine.islands
 
 import daphnis.core.collision.CollisionRecord
-import daphnis.core.collision.contactTime
 
 /**
  * Makes the results of one worker's islands part of the step, once no two islands touch.
@@ -36,7 +35,7 @@ internal class Committer(private val field: IslandField, private val number: Int
             if (!stores.attempts.isAlive(suspects.attempt(k))) continue
             val slot = suspects.slot(k)
             val other = suspects.other(k)
-            val t = contactTime(field.rows, slot, other, suspects.image(k), field.grid.images)
+            val t = field.prepared.meetingTime(field.rows, slot, field.rows, other, suspects.image(k))
             if (t > field.windowEnd && t <= field.prepared.duration) stores.hints.add(t, slot, other, suspects.image(k))
         }
     }

@@ -2,7 +2,6 @@ package daphnis.core.engine.islands
 
 import daphnis.core.collision.StepRows
 import daphnis.core.collision.StepRows.Companion.isUnknown
-import daphnis.core.collision.contactTime
 import daphnis.core.engine.islands.IslandBoard.Companion.FREE
 import daphnis.core.queue.EventHeap
 import daphnis.core.queue.Schedule
@@ -97,7 +96,7 @@ internal class Island(private val field: IslandField, private val number: Int, p
     /** A sphere of this island, which is at its own place among the members. */
     private fun addOwn(first: Int, slot: Int, image: Int) {
         val second = board.place(slot)
-        val t = contactTime(members.rows, first, second, image, field.grid.images)
+        val t = field.prepared.meetingTime(members.rows, first, members.rows, second, image)
         if (t <= field.windowEnd) {
             queue.add(t, first, second, image)
         } else if (t <= field.prepared.duration) {

@@ -1,6 +1,5 @@
 package daphnis.core.engine.islands
 
-import daphnis.core.collision.contactTime
 import daphnis.core.growth.IntList
 
 /**
@@ -35,11 +34,16 @@ internal class PathCheck(
             if (!stores.attempts.isAlive(suspects.attempt(k))) continue
             val slot = suspects.slot(k)
             val other = suspects.other(k)
+            // What the pair remembers does not change while the two are in different islands.
+            state = field.prepared.stateOf(field.rows, slot, field.rows, other)
             if (!pathsTouch(board.place(slot), other, suspects.image(k))) continue
             islands.add(board.owner(slot))
             others.add(board.owner(other))
         }
     }
+
+    /** Of the pair whose paths are compared. */
+    private var state = 0
 
     // Walk back along the two paths; the third goes on ahead of the second.
     private val mine = PathWalk()
@@ -77,7 +81,7 @@ internal class PathCheck(
         }
         further.begin(theirs)
         while (true) {
-            val t = contactTime(mine.state, mine.row, further.state, further.row, image, field.grid.images)
+            val t = field.prepared.meetingTime(state, mine.state, mine.row, further.state, further.row, image)
             if (t <= mine.end && t <= further.end) return true
             if (further.isOldest || further.start < mine.start) return false
             further.goBack()

@@ -1,6 +1,5 @@
 package daphnis.core.engine.islands
 
-import daphnis.core.collision.contactTime
 import daphnis.core.growth.IntList
 import daphnis.core.queue.EventStore.Companion.NONE
 import daphnis.core.wall.WallContact
@@ -49,7 +48,7 @@ internal class Seeder(private val field: IslandField, private val hints: Hints) 
         val time = if (second < 0) {
             field.prepared.walls.time(field.rows, first, WallContact.number(second))
         } else {
-            contactTime(field.rows, first, second, hints.store.image(hint), field.grid.images)
+            field.prepared.meetingTime(field.rows, first, field.rows, second, hints.store.image(hint))
         }
         return time == hints.store.time(hint)
     }

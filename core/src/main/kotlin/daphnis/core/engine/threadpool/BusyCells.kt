@@ -78,8 +78,8 @@ internal class BusyCells(private val rows: StepRows, private val grid: Grid) {
     private fun isNear(a: Int, b: Int): Boolean {
         if (b < 0) return false
         if (several) {
-            val radius = rows.state[a * STRIDE + RADIUS]
-            val other = rows.state[b * STRIDE + RADIUS]
+            val radius = rows.state[a * STRIDE + RADIUS] * grid.swelling
+            val other = rows.state[b * STRIDE + RADIUS] * grid.swelling
             for (axis in 0..2) extent[axis] = grid.sight(axis, radius, other)
         }
         val i = rows.origin[a]

@@ -4,7 +4,6 @@ import daphnis.core.collision.CollisionRecord
 import daphnis.core.collision.StepRows.Companion.RADIUS
 import daphnis.core.collision.StepRows.Companion.STRIDE
 import daphnis.core.collision.StepRows.Companion.TIME
-import daphnis.core.collision.contactTime
 import daphnis.core.collision.separation
 import daphnis.core.step.CollisionStep
 import daphnis.core.step.Impact
@@ -64,7 +63,7 @@ internal class PoolWorker(prepared: PreparedStep, private val last: LastCollisio
             val isAhead = state[other * STRIDE + TIME] >= time && other != taken.first && other != taken.second
             if (isAhead && wouldHaveHit(slot, other, image, time)) return@view false
             if (other != except) {
-                val t = contactTime(rows, slot, other, image, prepared.grid.images)
+                val t = prepared.meetingTime(rows, slot, rows, other, image)
                 if (t <= prepared.duration) found.add(t, slot, other, image)
             }
             true
@@ -93,14 +92,18 @@ internal class PoolWorker(prepared: PreparedStep, private val last: LastCollisio
             last.rows[q + TIME] < time || time == 0.0
         }
         if (!isKnown) return left > time || touches(slot, other, image, time)
-        return contactTime(rows.state, slot * STRIDE, last.rows, q, image, prepared.grid.images) <= left
+        // What the pair remembers has not changed since: neither has met the other.
+        return prepared.meetingTime(stateOf(slot, other), rows.state, slot * STRIDE, last.rows, q, image) <= left
     }
+
+    private fun stateOf(slot: Int, other: Int) = prepared.stateOf(rows, slot, rows, other)
 
     private fun precedes(partner: Int): Boolean = partner == taken.first || (partner >= 0 && partner == taken.second)
 
     /** Whether two spheres, both at their places at [time], touch or overlap. */
     private fun touches(slot: Int, other: Int, image: Int, time: Double): Boolean {
-        val s = (rows.state[slot * STRIDE + RADIUS] + rows.state[other * STRIDE + RADIUS]) * (1 + TOUCH)
+        val contact = rows.state[slot * STRIDE + RADIUS] + rows.state[other * STRIDE + RADIUS]
+        val s = contact * prepared.grid.swelling * (1 + TOUCH)
         return separation(rows, slot, other, image, prepared.grid.images, time) { dx, dy, dz ->
             dx * dx + dy * dy + dz * dz <= s * s
         }

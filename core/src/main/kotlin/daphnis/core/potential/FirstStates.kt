@@ -1,0 +1,33 @@
+package daphnis.core.potential
+
+import daphnis.core.boundary.BoundaryConditions
+import daphnis.core.population.Bonds
+import daphnis.core.population.Population
+import daphnis.core.search.NearPairs
+
+/**
+ * Gives the pairs of [population], of whose past nothing is known, the states that their distances at [time] say. Does
+ * nothing where pairs have states. Allocates a grid.
+ */
+internal fun PairStates.bind(population: Population, boundary: BoundaryConditions, time: Double) {
+    if (population.bonds !== Bonds.NONE) return
+    val bonds = Bonds.column(population.size)
+    val pairs = NearPairs(population, boundary, time, reach)
+    val runs = pairs.runs()
+    val radius = population.radius
+    for (slot in 0 until population.size) {
+        pairs.forEach(runs, slot, radius[pairs.index(slot)] * reach) { k, j, dx, dy, dz ->
+            val first = materialOf(population, k)
+            val second = materialOf(population, j)
+            val state = firstState(first, second, radius[k] + radius[j], dx * dx + dy * dy + dz * dz)
+            if (state != Bonds.UNBOUND) {
+                bonds[k] = Bonds.with(bonds[k], population.id[j], state)
+                bonds[j] = Bonds.with(bonds[j], population.id[k], state)
+            }
+        }
+    }
+    population.bind(bonds)
+}
+
+private fun materialOf(population: Population, k: Int) =
+    if (population.hasMaterials) population.material[k].toInt() else Int.MAX_VALUE
