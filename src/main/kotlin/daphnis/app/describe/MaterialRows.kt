@@ -37,6 +37,7 @@ internal class MaterialRows(private val setup: ScenarioSetup, private val say: Q
             val laws = listOfNotNull(
                 contact.restitution?.let { "restitution ${it.inWords(say)}" },
                 contact.roughness?.let { "roughness ${it.inWords(Quantities::number)}" },
+                contact.interaction?.let { "interaction ${it.inWords(say)}" },
             )
             rows.add("contacts", "${contact.between.joinToString(" with ")}: ${laws.joinToString("; ")}")
         }

@@ -137,6 +137,12 @@ internal class PhysicsRows(private val setup: ScenarioSetup, private val say: Qu
     private fun collisions() {
         rows.add("restitution", restitution())
         surfaces()
+        scenario.interaction?.let {
+            rows.add(
+                "interaction",
+                it.inWords(say) + ofOthers(scenario.contacts.any { pair -> pair.interaction != null }),
+            )
+        }
         materials.contacts()
         rows.add("guard", scenario.guard.inWords(say))
     }

@@ -76,6 +76,13 @@ public class Quantities(units: UnitsSpec, private val cmPerSecond: Double?) {
         number(value * si.metres / (si.seconds * si.seconds)) + " m/s2"
     }
 
+    /** An energy: mass · (length/time)². */
+    public fun energy(value: Double): String = if (si == null) {
+        plain(value, "units of energy")
+    } else {
+        number(value * si.kilograms * si.metres * si.metres / (si.seconds * si.seconds)) + " J"
+    }
+
     /** Of a square of a speed, per unit of time. */
     public fun heating(value: Double): String = if (si == null) {
         plain(value, "units of speed^2 per unit of time")

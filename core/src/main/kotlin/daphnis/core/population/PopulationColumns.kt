@@ -74,7 +74,19 @@ internal class PopulationColumns(
 
     /** The same columns with [given] as those of [quantity]. */
     fun with(quantity: SphereQuantity, given: List<DoubleArray>): PopulationColumns = quantity.places.let { places ->
-        PopulationColumns(Array(numbers.size) { if (it in places) given[it - places.first] else numbers[it] }, id, bonds)
+        PopulationColumns(
+            Array(numbers.size) {
+                if (it in
+                    places
+                ) {
+                    given[it - places.first]
+                } else {
+                    numbers[it]
+                }
+            },
+            id,
+            bonds,
+        )
     }
 
     /** The same columns with these [bonds]. */
@@ -94,7 +106,7 @@ internal class PopulationColumns(
     fun copyInto(to: PopulationColumns, at: Int) {
         for (place in SphereQuantity.present(optional)) numbers[place].copyInto(to.numbers[place], at)
         id.copyInto(to.id, at)
-        bonds.copyInto(to.bonds, at)
+        if (bonds !== Bonds.NONE) bonds.copyInto(to.bonds, at)
     }
 
     companion object {

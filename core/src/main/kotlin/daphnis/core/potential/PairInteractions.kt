@@ -21,6 +21,15 @@ public class PairInteractions private constructor(private val table: PairTable<P
     public fun between(first: Int, second: Int, interaction: PairInteraction?): PairInteractions =
         PairInteractions(table.with(first, second, interaction))
 
+    /** The largest distance of an edge over the sum of the radii. */
+    internal val reach: Double get() = PairStates(this).reach
+
+    /** Whether no spheres pass through one another. */
+    internal val areHard: Boolean get() = PairStates(this).areHard
+
+    /** The potential energy as a force, which changes no velocities. */
+    internal fun energy(): PairEnergy = PairEnergy(PairStates(this))
+
     /** All interactions, each once, that of all [others] first. */
     internal val all: List<PairInteraction?> = table.values().distinct()
 

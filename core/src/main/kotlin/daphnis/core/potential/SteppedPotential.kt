@@ -45,13 +45,16 @@ public class SteppedPotential(ratios: DoubleArray, energies: DoubleArray) : Pair
             SteppedPotential(doubleArrayOf(ratio), doubleArrayOf(height))
 
         /** What is wrong with a step of [ratio] and [energy] that follows one of [ratioBefore] and [energyBefore]. */
-        internal fun problem(ratio: Double, ratioBefore: Double?, energy: Double, energyBefore: Double): String? = when {
-            !(ratio >= 1 && ratio.isFinite()) -> "a step begins at ratio $ratio; it must be at least 1, which is contact"
-            ratioBefore != null && ratio >= ratioBefore ->
-                "a step at ratio $ratio follows one at $ratioBefore; ratios must fall"
-            !energy.isFinite() -> "the step at ratio $ratio has the energy $energy; it must be finite"
-            energy == energyBefore -> "the step at ratio $ratio changes no energy, which is $energy outside of it too"
-            else -> null
-        }
+        internal fun problem(ratio: Double, ratioBefore: Double?, energy: Double, energyBefore: Double): String? =
+            when {
+                !(ratio >= 1 && ratio.isFinite()) ->
+                    "a step begins at ratio $ratio; it must be at least 1, which is contact"
+                ratioBefore != null && ratio >= ratioBefore ->
+                    "a step at ratio $ratio follows one at $ratioBefore; ratios must fall"
+                !energy.isFinite() -> "the step at ratio $ratio has the energy $energy; it must be finite"
+                energy == energyBefore ->
+                    "the step at ratio $ratio changes no energy, which is $energy outside of it too"
+                else -> null
+            }
     }
 }

@@ -50,6 +50,7 @@ internal class RunPlan(
         simulation.boundary.walls.surfaces.size,
         simulation.boundary.growth != null,
         simulation.boundary.walls.pistons.keys,
+        simulation.collisions?.states != null,
     )
 
     /** Whether the run ends before [until], with the present state. */
@@ -105,6 +106,7 @@ internal fun planOf(
         meta?.reducedPressure?.let { setup.boundary.growth?.resume(it) }
         val time = meta?.time ?: scenario.startTime
         val step = meta?.step ?: 0
+        forcing.bind(setup.population, setup.boundary, time)
         val elsewhere = nodes?.steps(setup, setup.population, forcing, time, step)
         Simulation(
             setup.population, setup.boundary, forcing, setup.timeStep, setup.forces, emptyList(), time, step,

@@ -34,7 +34,7 @@ internal object SeriesOutput : PeriodicOutput("series", OutputSpec::seriesEvery,
 
 /** `series.csv`: a row at each of [times]. */
 internal class Series(private val times: OutputTimes, private val sums: StepSums, files: RunFiles) : Output {
-    private val rows = SeriesColumns.of(sums.haveSpins, sums.materials, sums.haveGrowth, sums.pistons)
+    private val rows = SeriesColumns.of(sums.haveSpins, sums.materials, sums.haveGrowth, sums.pistons, sums.haveEdges)
     private val file = files.table(rows)
 
     override fun write(simulation: Simulation) {
@@ -72,7 +72,7 @@ internal class SeriesRow(val simulation: Simulation, stepSums: StepSums) {
 /**
  * The columns of `series.csv`; `docs/guide.md` says what they mean. A further quantity is a further line here. Those
  * from [ROTATIONAL_ENERGY] on are only there where spheres have spins, [FILLING_FACTOR] and [REDUCED_PRESSURE] where
- * they grow, and those of a piston where that wall is one.
+ * they grow, those of a piston where that wall is one, and [EDGE_EVENTS] where spheres have interactions.
  */
 public object SeriesColumns : TableColumns {
     internal val rows = Columns<SeriesRow>("series.csv")
@@ -193,14 +193,23 @@ public object SeriesColumns : TableColumns {
     @JvmStatic
     public fun temperatureOf(material: String): String = "temperature_$material"
 
+    /** Passages and reflections at edges of interactions, since the start. */
+    @JvmField
+    public val EDGE_EVENTS: Column =
+        rows.whole("edge_events") { it.simulation.collisions?.counters?.edgeEvents ?: 0 }
+
     /** The columns of a run, with one for each of [materials] at the end. */
     internal fun of(
         hasSpins: Boolean,
         materials: List<String>,
         grow: Boolean = false,
         pistons: Set<Int> = emptySet(),
+        haveEdges: Boolean = false,
     ): Columns<SeriesRow> {
-        val none = (if (hasSpins) emptySet() else ofRotation) + (if (grow) emptySet() else ofGrowth) + without(pistons)
+        val ofEdges = if (haveEdges) emptyList() else listOf(EDGE_EVENTS)
+        val none =
+            (if (hasSpins) emptySet() else ofRotation) + (if (grow) emptySet() else ofGrowth) + without(pistons) +
+                ofEdges
         return rows.without(none).also { all ->
             materials.forEachIndexed { k, name ->
                 all.number(temperatureOf(name), Dimension.ENERGY) { it.materials?.temperature(k) ?: Double.NaN }

@@ -21,6 +21,7 @@ import daphnis.core.wave.ModeSums
  * @property surfaces how many walls there are that are not faces of the box
  * @property haveGrowth whether spheres grow
  * @property pistons faces of the walls that are pistons
+ * @property haveEdges whether spheres do something to one another besides impacts
  */
 internal class StepSums(
     private val sums: PopulationSums,
@@ -31,6 +32,7 @@ internal class StepSums(
     val surfaces: Int = 0,
     val haveGrowth: Boolean = false,
     val pistons: Set<Int> = emptySet(),
+    val haveEdges: Boolean = false,
 ) {
     /** Names of the materials that there are sums of. */
     val materials: List<String> get() = byMaterial?.materials.orEmpty()

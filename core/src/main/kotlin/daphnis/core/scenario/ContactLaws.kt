@@ -1,6 +1,7 @@
 package daphnis.core.scenario
 
 import daphnis.core.input.ValueCheck
+import daphnis.core.potential.PairInteractions
 import daphnis.core.surface.ContactLaw
 import daphnis.core.surface.LawPlace
 import daphnis.core.surface.MaterialLaws
@@ -18,6 +19,9 @@ internal class ContactLaws(
     /** ε; that of all spheres itself where no pair has another. */
     val restitution: ContactLaw
 
+    /** What spheres do to one another besides impacts; null where nothing. */
+    val interactions: PairInteractions?
+
     /** β; null where no spheres are rough. */
     val roughness: Roughness?
 
@@ -30,12 +34,17 @@ internal class ContactLaws(
         var laws = MaterialLaws(all)
         var surfaces = MaterialRoughness(surface)
         var isRough = surface != null
+        var pairs = scenario.interaction?.let { PairInteractions(it.interaction("interaction", check)) }
         scenario.contacts.forEachIndexed { k, contact ->
             val (first, second) = materials.pair(contact)
             val key = "contacts[$k]"
             contact.restitution?.let {
                 val its = "$key.restitution"
                 laws = laws.between(first, second, law(its, it, isOfPair = true) { measured(contact, its) })
+            }
+            contact.interaction?.let { spec ->
+                val interaction = spec.interaction("$key.interaction", check)
+                pairs = (pairs ?: PairInteractions(null)).between(first, second, interaction)
             }
             contact.roughness?.let { spec ->
                 val law = spec.law("$key.roughness", check)
@@ -44,6 +53,7 @@ internal class ContactLaws(
             }
         }
         restitution = if (scenario.contacts.any { it.restitution != null }) laws else all
+        interactions = pairs
         roughness = when {
             !isRough -> null
             scenario.contacts.any { it.roughness != null } -> surfaces

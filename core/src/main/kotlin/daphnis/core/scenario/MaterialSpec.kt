@@ -1,8 +1,11 @@
 package daphnis.core.scenario
 
 import daphnis.core.initial.SizesSpec
+import daphnis.core.potential.InteractionSpec
 import daphnis.core.surface.RestitutionSpec
 import daphnis.core.surface.RoughnessSpec
+import kotlinx.serialization.EncodeDefault
+import kotlinx.serialization.ExperimentalSerializationApi
 import kotlinx.serialization.Serializable
 
 /**
@@ -28,9 +31,11 @@ public class MaterialSpec @JvmOverloads constructor(
  * Impacts of spheres of the two materials that [between] names, in either order, or twice one. What is left out is as for
  * all other spheres.
  */
+@OptIn(ExperimentalSerializationApi::class)
 @Serializable
 public class ContactSpec @JvmOverloads constructor(
     public val between: List<String>,
     public val restitution: RestitutionSpec? = null,
     public val roughness: RoughnessSpec? = null,
+    @EncodeDefault(EncodeDefault.Mode.NEVER) public val interaction: InteractionSpec? = null,
 )

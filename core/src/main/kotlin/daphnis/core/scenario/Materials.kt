@@ -99,8 +99,9 @@ internal class Materials(
                 }
             }
             check.must(key, seen.add(pair.toSet())) { "names ${pair.joinToString()} a second time" }
-            check.must("contacts[$k]", contact.restitution != null || contact.roughness != null) {
-                "says nothing; give restitution, roughness, or both"
+            val says = listOfNotNull(contact.restitution, contact.roughness, contact.interaction)
+            check.must("contacts[$k]", says.isNotEmpty()) {
+                "says nothing; give restitution, roughness, interaction, or several"
             }
             check.must("contacts[$k].roughness.momentFactor", contact.roughness?.momentFactor == null) {
                 "is that of all spheres; give it as roughness.momentFactor"

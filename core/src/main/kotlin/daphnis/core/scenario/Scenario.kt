@@ -10,6 +10,7 @@ import daphnis.core.initial.VelocitiesSpec
 import daphnis.core.input.Planet
 import daphnis.core.input.UnitsSpec
 import daphnis.core.parallel.ThreadHandler
+import daphnis.core.potential.InteractionSpec
 import daphnis.core.search.SearchStructure
 import daphnis.core.space.Space
 import daphnis.core.surface.RestitutionSpec
@@ -59,6 +60,7 @@ public data class Scenario @JvmOverloads constructor(
     @EncodeDefault(EncodeDefault.Mode.NEVER) override val contacts: List<ContactSpec> = emptyList(),
     override val growth: GrowthSpec? = null,
     @EncodeDefault(EncodeDefault.Mode.NEVER) override val dimensions: Int = Space.VOLUME.dimensions,
+    @EncodeDefault(EncodeDefault.Mode.NEVER) override val interaction: InteractionSpec? = null,
     /** From a [ResolvedScenario] that was written to a file; a new initial state has its own. */
     internal val firstBody: Int? = null,
 ) : ScenarioParts {

@@ -5,6 +5,7 @@ import daphnis.core.force.ForceSpec
 import daphnis.core.initial.SpinsSpec
 import daphnis.core.initial.VelocitiesSpec
 import daphnis.core.input.UnitsSpec
+import daphnis.core.potential.InteractionSpec
 import daphnis.core.search.SearchStructure
 import daphnis.core.space.Space
 import daphnis.core.surface.RestitutionSpec
@@ -27,6 +28,9 @@ public interface ScenarioParts {
 
     /** Surfaces of the spheres; null for smooth ones, which do not spin unless walls are rough. */
     public val roughness: RoughnessSpec?
+
+    /** What spheres do to one another besides impacts; null for nothing. */
+    public val interaction: InteractionSpec?
 
     /** Spins at the start; null for none, or those of a file. */
     public val spins: SpinsSpec?
@@ -75,12 +79,17 @@ public interface ScenarioParts {
      */
     public val impacts: List<ContactSpec> get() {
         val names = materials
-        if (names.isEmpty()) return listOf(ContactSpec(emptyList(), restitution, roughness))
+        if (names.isEmpty()) return listOf(ContactSpec(emptyList(), restitution, roughness, interaction))
         return names.indices.flatMap { i ->
             (i until names.size).map { j ->
                 val pair = listOf(names[i], names[j])
                 val own = contacts.find { it.between.toSet() == pair.toSet() }
-                ContactSpec(pair, own?.restitution ?: restitution, own?.roughness ?: roughness)
+                ContactSpec(
+                    pair,
+                    own?.restitution ?: restitution,
+                    own?.roughness ?: roughness,
+                    own?.interaction ?: interaction,
+                )
             }
         }
     }
@@ -91,12 +100,16 @@ public interface ScenarioParts {
      */
     public val restitutionAtRest: Double? get() {
         val isAtRest = boundary.repeatsAtRest && frame == null && growth == null
-        if (!isAtRest || forces.isNotEmpty() || bodies.isNotEmpty()) return null
+        if (!isAtRest || forces.isNotEmpty() || bodies.isNotEmpty() || haveInteractions) return null
         val coefficients = impacts.map { impact ->
             impact.restitution!!.constant?.takeIf { impact.roughness?.isSmooth != false }
         }
         return coefficients.distinct().singleOrNull()
     }
+
+    /** Whether any spheres do something to one another besides impacts. */
+    public val haveInteractions: Boolean
+        get() = interaction != null || contacts.any { it.interaction != null }
 
     /** G in the scenario's units: that of a force that says it, else Newton's; null where neither is known. */
     public val gravitationalConstant: Double?

@@ -23,6 +23,7 @@ import daphnis.core.orbit.OrbitalFrequencies
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.ThreadHandler
 import daphnis.core.population.Population
+import daphnis.core.potential.PairInteractions
 import daphnis.core.surface.ContactLaw
 import daphnis.core.surface.Roughness
 import kotlin.math.sqrt
@@ -50,6 +51,8 @@ public class ScenarioSetup private constructor(
     /** Of the spheres; null for smooth ones. */
     public val roughness: Roughness?,
     private val places: List<ForcePlace>,
+    /** What spheres do to one another besides impacts; null for nothing. */
+    public val interactions: PairInteractions?,
 ) {
     /** Angular speed of the frame in radians per unit of time; null without a frame. */
     public val angularSpeed: Double? get() = frequencies?.omega
@@ -81,7 +84,7 @@ public class ScenarioSetup private constructor(
         roughness: Roughness? = this.roughness,
     ): CollisionForcing {
         val records = recordCollisions || !boundary.walls.areKnownAhead
-        return CollisionForcing(law, guard, engine, records, scenario.search, roughness, momentFactor)
+        return CollisionForcing(law, guard, engine, records, scenario.search, roughness, momentFactor, interactions)
     }
 
     /** Length of the first step of a run. */
@@ -170,7 +173,8 @@ public class ScenarioSetup private constructor(
             val first = timeStep.next(population)
             checkSteps(resolved, first, check)
             if (state == null) GrowthSetup(scenario, check).checkStart(population, around.box, first, around.end)
-            val startCheck = StartCheck(scenario, population, boundary, forceSetup.places, check, around.end)
+            val startCheck =
+                StartCheck(scenario, population, boundary, forceSetup.places, check, around.end, laws.interactions)
             if (state == null) startCheck.check(timeStep, isPlaced) else startCheck.checkRooms()
             if (state == null && (isPlaced || timeStep is FixedTimeStep)) {
                 val likeThem = forces().forces
@@ -178,8 +182,9 @@ public class ScenarioSetup private constructor(
             }
             val guard = guardSpec.guard(check)
             return ScenarioSetup(
-                resolved, population, boundary, laws.restitution, guard, forceSetup.forces, timeStep,
-                around.frequencies, initial.notices, laws.roughness, forceSetup.places,
+                resolved, population, boundary, laws.restitution, guard,
+                forceSetup.forces + listOfNotNull(laws.interactions?.energy()), timeStep,
+                around.frequencies, initial.notices, laws.roughness, forceSetup.places, laws.interactions,
             )
         }
 

@@ -9,6 +9,7 @@ import daphnis.core.boundary.roomAt
 import daphnis.core.force.ForcePlace
 import daphnis.core.input.ValueCheck
 import daphnis.core.population.Population
+import daphnis.core.potential.PairInteractions
 import daphnis.core.search.Overlap
 import daphnis.core.search.Reach
 import kotlin.math.abs
@@ -24,6 +25,7 @@ internal class StartCheck(
     private val places: List<ForcePlace>,
     private val check: ValueCheck,
     end: Double,
+    private val interactions: PairInteractions?,
 ) {
     private val walls = WallCheck(scenario, population, boundary, check, end)
 
@@ -42,6 +44,7 @@ internal class StartCheck(
                         "must exceed the diameter of the largest sphere, ${2 * largest}, " +
                             "or it would touch its own image"
                     }
+                    checkReach(key, length, largest)
                     if (isKnown) checkCrossings(axis, largest, timeStep)
                 }
                 ContactFaces.WALL -> {
@@ -74,7 +77,7 @@ internal class StartCheck(
             val duration = timeStep.next(population)
             scenario.forces.forEachIndexed { k, force -> force.checkStart(places[k], population, duration) }
         }
-        if (!isPlaced) return
+        if (!isPlaced || interactions?.areHard == false) return
         computable("velocities") { Reach().measure(population, boundary, timeStep.next(population)) }
         val overlap = computable("box") {
             Overlap.deepest(population, boundary, scenario.startTime, scenario.engine.threadsAtStart)
@@ -131,6 +134,15 @@ internal class StartCheck(
     private fun placedBy(k: Int): String {
         val body = k - (population.size - scenario.bodies.size)
         return if (body >= 0) "bodies[$body].position" else "placement"
+    }
+
+    /** Each pair has one state, so only one image may be within reach. */
+    private fun checkReach(key: String, length: Double, largest: Double) {
+        val reach = interactions?.reach ?: return
+        check.that(key, length, length > 2 * (2 * largest * reach) * (1 + TOLERANCE)) {
+            "must exceed twice the distance up to which the largest spheres interact, ${2 * largest * reach}, " +
+                "or two images would be within reach of one sphere"
+        }
     }
 
     private fun checkCrossings(axis: Int, largest: Double, timeStep: TimeStep) {

@@ -132,6 +132,17 @@ enum class RowCase(text: String, internal val check: (List<List<String>>) -> Uni
         "particles": {"count": 250, "sizes": {"type": "equal", "radius": 0.4}, "mass": 1.0},
         "velocities": {"type": "gaussian", "sigma": 2.0}, $GAS""",
     ),
+    STEPPED(
+        """"until": 0.5, "box": {"lengths": [9, 9, 9]}, "boundary": {"type": "periodic"},
+        "particles": {"count": 300, "materials": [
+        {"name": "a", "share": 0.5, "density": 1, "sizes": {"type": "equal", "radius": 0.4}},
+        {"name": "b", "share": 0.5, "density": 3, "sizes": {"type": "equal", "radius": 0.3}}]},
+        "interaction": {"type": "square-well", "ratio": 1.6, "depth": 0.5},
+        "contacts": [{"between": ["b", "b"], "interaction": {"type": "stepped", "steps": [[2, 0.3], [1.5, -0.4]]}},
+        {"between": ["a", "b"], "interaction": {"type": "none"}}],
+        "velocities": {"type": "gaussian", "sigma": 1.5}, $GAS""",
+        { rows -> assertEquals(rows.size - 1, rows.column("potential_energy").distinct().size) },
+    ),
     PISTONS(
         """"until": 0.5, "box": {"lengths": [9, 9, 9]}, "boundary": {"type": "walls", "faces": {
         "lowerZ": {"motion": {"type": "piston", "mass": 50}},

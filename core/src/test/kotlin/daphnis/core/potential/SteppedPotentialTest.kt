@@ -21,8 +21,9 @@ import kotlin.math.sqrt
 class SteppedPotentialTest {
     private val well = SteppedPotential.squareWell(1.5, 1.0)
 
-    private fun collisions(potential: PairInteraction, e: Double = 1.0) = CollisionForcing.builder(ConstantRestitution(e))
-        .interactions(PairInteractions(potential)).recordCollisions().build()
+    private fun collisions(potential: PairInteraction, e: Double = 1.0) =
+        CollisionForcing.builder(ConstantRestitution(e))
+            .interactions(PairInteractions(potential)).recordCollisions().build()
 
     /** Two spheres of mass 1 and diameter 1, [apart] along x, that approach with [speed]. */
     private fun two(potential: PairInteraction, apart: Double, speed: Double) = Simulation(
@@ -126,9 +127,15 @@ class SteppedPotentialTest {
             sum += temperature(simulation.population) / 100
         }
         assertEquals(before, energy(), 1e-11 * count)
-        simulation.conserved().let { for (p in listOf(it.momentumX, it.momentumY, it.momentumZ)) assertEquals(0.0, p, 1e-11) }
+        simulation.conserved().let {
+            for (p in listOf(it.momentumX, it.momentumY, it.momentumZ)) assertEquals(0.0, p, 1e-11)
+        }
         val free = 10.0 * count / 2 / (counters.collisions + counters.edgeEvents - events)
-        println("free time $free at T $sum, T = 1 ${free * sqrt(sum)}; U/N ${(before - simulation.conserved().kineticEnergy)/count}")
+        println(
+            "free time $free at T $sum, T = 1 ${free * sqrt(
+                sum,
+            )}; U/N ${(before - simulation.conserved().kineticEnergy) / count}",
+        )
     }
 
     /** Makes the temperature [to]. */

@@ -21,7 +21,8 @@ fun assertSameStep(serial: Simulation, other: Simulation, story: String) {
     assertSameColumns(serial.population, other.population, story)
     val a = serial.collisions!!
     val b = other.collisions!!
-    fun counts(f: CollisionForcing) = with(f.counters) { listOf(collisions, wallCollisions, guardActivations, edgeEvents) }
+    fun counts(f: CollisionForcing) =
+        with(f.counters) { listOf(collisions, wallCollisions, guardActivations, edgeEvents) }
     assertEquals(counts(a), counts(b)) { story }
     val r = a.record!!
     val s = b.record!!

@@ -51,10 +51,12 @@ internal class Brick(ahead: BrickAhead.Choice = BrickAhead.Choice.QUICKEST) {
      */
     fun solve(whole: PreparedStep, middle: DoubleArray, halt: Halt, isAgain: Boolean, gather: Gathering) {
         outrun = 0
-        isAhead = !isAgain && whole.states == null && ahead.solve(whole, middle, gather)
+        // Epochs know contacts, and not the edges of interactions.
+        val mayLookAhead = !isAgain && whole.states == null
+        isAhead = mayLookAhead && ahead.solve(whole, middle, gather)
         if (isAhead) return
         ahead.drop()
-        if (isAgain) gather.anew(spheres)
+        if (!mayLookAhead) gather.anew(spheres)
         prepared.takePart(whole, spheres, middle)
         while (!attempt(halt)) outrun++
         ahead.observe(counted)
