@@ -156,7 +156,8 @@ private fun named(units: UnitsOfDimensions, dimension: String): String =
 private fun report(summary: Summary, times: TimesInWords, units: UnitsOfDimensions) {
     fun say(format: String, vararg values: Any) = printLine(String.format(Locale.ROOT, format, *values))
     val end = times.text(summary.time)
-    val collisions = counted(summary.collisions, "collision")
+    val edges = if (summary.edgeEvents > 0) ", ${counted(summary.edgeEvents, "event")} at edges" else ""
+    val collisions = counted(summary.collisions, "collision") + edges
     say("%s to time %s in %.1f s, %s", counted(summary.steps, "step"), end, summary.wallSeconds, collisions)
     val ofSpeeds = named(units, Dimension.SPEED_SQUARED)
     val ofEnergy = named(units, Dimension.ENERGY).ifEmpty { "in the scenario's units" }

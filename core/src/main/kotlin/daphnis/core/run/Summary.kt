@@ -7,6 +7,8 @@ import daphnis.core.format.reasonOf
 import daphnis.core.population.stateDigest
 import daphnis.core.scenario.PlacementSpec
 import daphnis.core.search.Overlap
+import kotlinx.serialization.EncodeDefault
+import kotlinx.serialization.ExperimentalSerializationApi
 import kotlinx.serialization.Serializable
 import kotlinx.serialization.json.Json
 import java.io.IOException
@@ -21,8 +23,10 @@ import java.nio.file.Path
  * @property maxOverlap deepest overlap at the end, as a fraction of the sum of two radii
  * @property energy kinetic energy at the end
  * @property momentum Σ m v along x, y, z at the end
+ * @property edgeEvents passages and reflections at edges of interactions, which are no collisions
  * @property from the state of another run from which it started; null when it did not
  */
+@OptIn(ExperimentalSerializationApi::class)
 @Serializable
 public class Summary @JvmOverloads constructor(
     public val stateDigest: String,
@@ -47,6 +51,7 @@ public class Summary @JvmOverloads constructor(
     public val version: String,
     public val jvm: String,
     public val from: String? = null,
+    @EncodeDefault(EncodeDefault.Mode.NEVER) public val edgeEvents: Long = 0,
 ) {
     internal fun bytes(): ByteArray = (JSON.encodeToString(serializer(), this) + "\n").toByteArray(Charsets.UTF_8)
 
@@ -111,6 +116,7 @@ public class Summary @JvmOverloads constructor(
                 version = Version.text,
                 jvm = "${System.getProperty("java.vm.name")} ${System.getProperty("java.runtime.version")}",
                 from = plan.scenario?.placement?.file?.origin,
+                edgeEvents = c.edgeEvents,
             )
         }
     }

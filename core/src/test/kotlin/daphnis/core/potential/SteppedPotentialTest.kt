@@ -127,15 +127,11 @@ class SteppedPotentialTest {
             sum += temperature(simulation.population) / 100
         }
         assertEquals(before, energy(), 1e-11 * count)
-        simulation.conserved().let {
-            for (p in listOf(it.momentumX, it.momentumY, it.momentumZ)) assertEquals(0.0, p, 1e-11)
-        }
+        val sums = simulation.conserved()
+        for (p in listOf(sums.momentumX, sums.momentumY, sums.momentumZ)) assertEquals(0.0, p, 1e-11)
         val free = 10.0 * count / 2 / (counters.collisions + counters.edgeEvents - events)
-        println(
-            "free time $free at T $sum, T = 1 ${free * sqrt(
-                sum,
-            )}; U/N ${(before - simulation.conserved().kineticEnergy) / count}",
-        )
+        // src/dynamo/tests/squarewell_test.cpp of DynamO, commit 08346f1, which allows 5 %.
+        assertEquals(0.0368185, free * sqrt(sum), 0.05 * 0.0368185)
     }
 
     /** Makes the temperature [to]. */
