@@ -78,14 +78,14 @@ def test_the_program_runs(tmp_path: Path) -> None:
     )
     (tmp_path / "program.py").write_text(text)
     said = done([sys.executable, "program.py"], tmp_path)
-    found = daphnis.collect(tmp_path / "runs/depths")
+    found = daphnis.collect(tmp_path / "runs/tasks")
     assert found.notices == []
     names = [f"opticalDepth={depth},seed={seed}" for depth in (0.1, 0.2) for seed in (1, 2)]
     assert said.splitlines()[:4] == [
-        f"{name} {digest}" for name, digest in zip(names, ends(tmp_path / "runs/depths"), strict=True)
+        f"{name} {digest}" for name, digest in zip(names, ends(tmp_path / "runs/tasks"), strict=True)
     ]
     # The means, which it prints.
-    assert "particles.opticalDepth" in said and "standard_error" in (tmp_path / "runs/depths/sweep.csv").read_text()
+    assert "particles.opticalDepth" in said and "standard_error" in (tmp_path / "runs/tasks/sweep.csv").read_text()
 
 
 def test_the_snakefile_makes_the_tables(tmp_path: Path, digests: list[str]) -> None:

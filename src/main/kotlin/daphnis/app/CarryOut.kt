@@ -34,15 +34,15 @@ import kotlin.concurrent.thread
  * Carries out what [start] makes, with progress, a plot and the closing lines; Ctrl-C ends it with a checkpoint.
  *
  * @param live where it can be looked at meanwhile
- * @param endWaits makes a run fail that waits within a step for others than itself; any thread calls
+ * @param fleet of the nodes that may compute; null for none
  */
 internal fun CliktCommand.carryOut(
     quiet: Boolean,
     live: LivePage? = null,
-    endWaits: () -> Unit = {},
+    fleet: FleetOptions? = null,
     start: () -> Run,
 ) {
-    val interruption = Interruption(endWaits)
+    val interruption = Interruption { fleet?.giveUp() }
     preparePlot()
     try {
         PlacementLine.shown(quiet, start).use { run ->
@@ -59,7 +59,8 @@ internal fun CliktCommand.carryOut(
             }
             interruption.armed = true
             val units = UnitsOfDimensions(run.scenario?.units)
-            val progress = Progress(quiet, run.until, timesOf(run), named(units, Dimension.ENERGY))
+            val able = { fleet?.able ?: Long.MAX_VALUE }
+            val progress = Progress(quiet, run.until, timesOf(run), named(units, Dimension.ENERGY), able)
             fun interrupted(where: String): Nothing {
                 val words = "interrupted $where; continue with: ${Version.command} resume ${quoted("$directory")}"
                 live?.endsWith(Ending.Kind.INTERRUPTED, words)
@@ -67,7 +68,10 @@ internal fun CliktCommand.carryOut(
                 throw ProgramResult(EXIT_INTERRUPTED)
             }
             val summary = try {
-                run.execute(live?.watching(run, progress) ?: progress) { interruption.requested }
+                run.execute(live?.watching(run, progress) ?: progress) {
+                    progress.beginStep()
+                    interruption.requested
+                }
             } catch (e: RunException) {
                 if (interruption.requested && e.cause is FleetException) interrupted("while it waited for nodes")
                 throw e

@@ -52,6 +52,9 @@ internal class FleetOptions : ProcessOptions(GroupedHelp.SEVERAL_MACHINES, "See 
         }
     }
 
+    /** Nanoseconds for which nodes have computed; 0 while they are waited for. */
+    val able: Long get() = if (isGiven) fleet?.able ?: 0 else Long.MAX_VALUE
+
     /** Ends a wait for nodes. Any thread may call. */
     fun giveUp() {
         fleet?.giveUp()

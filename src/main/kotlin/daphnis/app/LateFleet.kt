@@ -18,15 +18,23 @@ internal class LateFleet(private val start: () -> Fleet) : Fleet {
     @Volatile
     private var isGivenUp = false
 
+    /** When nodes began to work together; null while they are waited for. */
+    @Volatile
+    private var formedAt: Long? = null
+
+    /** Nanoseconds since then; 0 while nodes are waited for. */
+    val able: Long get() = formedAt?.let { System.nanoTime() - it } ?: 0
+
     override fun nodes(): List<FleetNode> = started().nodes()
 
     /** Asked by those alone who wait for nodes. */
     override fun busy(): List<BusyNode> {
+        formedAt = null
         if (isGivenUp) throw FleetException(GIVEN_UP)
         return started().busy()
     }
 
-    override fun form(nodes: List<FleetNode>): Mail = started().form(nodes)
+    override fun form(nodes: List<FleetNode>): Mail = started().form(nodes).also { formedAt = System.nanoTime() }
 
     /** Ends every wait for nodes with a [FleetException]; a run that has its nodes goes on. Any thread may call. */
     fun giveUp() {

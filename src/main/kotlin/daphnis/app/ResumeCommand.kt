@@ -43,7 +43,7 @@ class ResumeCommand : CliktCommand(name = "resume") {
         val path = pathOf(directory, "dir")
         live.withPage { page ->
             fleet.withEngines(path.fileName?.toString() ?: "run", threads) { engines ->
-                carryOut(quiet, page, fleet::giveUp) { Run.resume(path, until, engines, acceptLoss) }
+                carryOut(quiet, page, fleet) { Run.resume(path, until, engines, acceptLoss) }
             }
         }
     }

@@ -81,7 +81,7 @@ class RunCommand : CliktCommand(name = "run") {
             out?.let { pathOf(it, "--out") } ?: freeDirectory(Path.of("runs").resolve(directoryName(resolved.name)))
         live.withPage { page ->
             fleet.withEngines(resolved.name, threads) { engines ->
-                carryOut(quiet, page, fleet::giveUp) {
+                carryOut(quiet, page, fleet) {
                     Run.start(resolved, source, directory, force, engines, from = origin)
                 }
             }

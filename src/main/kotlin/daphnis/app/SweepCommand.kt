@@ -69,6 +69,7 @@ class SweepCommand : CliktCommand(name = "sweep") {
         help = "print number, name and command of each run, a line each; writes nothing",
     ).flag()
     private val quiet by option("--quiet", help = "no progress").flag()
+    private val nodes by option("--nodes", "--cluster", hidden = true)
 
     override fun help(context: Context) =
         "Run a scenario for many values and seeds, and tabulate and plot the means with their errors."
@@ -88,6 +89,9 @@ class SweepCommand : CliktCommand(name = "sweep") {
     }
 
     private fun checkOptions() {
+        if (nodes != null) {
+            throw InputException("--nodes, --cluster", null, "are of one run; processes share a sweep out with --part")
+        }
         val jobs = jobs
         if (jobs != null && jobs !in 1..MOST_JOBS) {
             throw InputException("--jobs", null, "is $jobs; it must be in 1..$MOST_JOBS")
@@ -152,7 +156,7 @@ class SweepCommand : CliktCommand(name = "sweep") {
         val own = part.of(order.plan.runs)
         runs.carryOut(own) { outcome ->
             requireDone(outcome, own.size)
-            report.concludePart("$part", outcome.done)
+            report.concludePart("$part", outcome.done, outcome.busy)
             if (outcome.isInterrupted) interrupted("the part is complete")
         }
     }
@@ -165,7 +169,7 @@ class SweepCommand : CliktCommand(name = "sweep") {
             lock.notice?.let(::warn)
             runs.carryOut(order.plan.runs) { outcome ->
                 requireDone(outcome, order.plan.runs.size)
-                report.conclude(outcome.done)
+                report.conclude(outcome.done, outcome.busy)
                 if (outcome.isInterrupted) interrupted("the sweep is complete")
             }
         }

@@ -24,6 +24,7 @@ internal class SweepProgress(private val quiet: Boolean, private val all: Int) :
     private var credit = 0.0
     private var finished = 0
     private var failed = 0
+    private val taken = HashSet<String>()
     private var running = 0
     private var width = 0
 
@@ -65,16 +66,35 @@ internal class SweepProgress(private val quiet: Boolean, private val all: Int) :
         warn("$name: $line")
     }
 
+    /** How many other processes have taken. */
+    @get:Synchronized
+    val busy: Int get() = taken.size
+
+    @Synchronized
+    override fun busy(name: String) {
+        taken += name
+    }
+
     /** [run] is over: it has a [result], or was interrupted. */
     @Synchronized
     fun ended(run: PlannedRun, result: SweepRun?) {
         running--
         if (result == null) return
         parts[run.name] = 1.0
-        if (result.failure == null) finished++ else failed++
+        val how = if (result.failure == null) {
+            "done"
+        } else if (run.name in taken) {
+            "busy"
+        } else {
+            "failed"
+        }
+        if (how == "done") {
+            finished++
+        } else if (how == "failed") {
+            failed++
+        }
         if (quiet) return
         if (live) return show()
-        val how = if (result.failure == null) "done" else "failed"
         warn("${run.name}: $how; ${line().text(Int.MAX_VALUE).trim()}")
         shownAt = System.nanoTime()
     }
@@ -93,7 +113,7 @@ internal class SweepProgress(private val quiet: Boolean, private val all: Int) :
         val done = parts.values.sum()
         val seconds = (System.nanoTime() - begin) * NANO
         val left = if (done - credit > ENOUGH * all) seconds * (all - done) / (done - credit) else Double.NaN
-        return SweepLine(finished, failed, if (live) running else 0, all, done / all, left)
+        return SweepLine(finished, failed, busy, if (live) running else 0, all, done / all, left)
     }
 
     /** Leaves an empty line to write on. */

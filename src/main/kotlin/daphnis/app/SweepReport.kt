@@ -38,8 +38,8 @@ internal class SweepReport(private val order: SweepOrder, private val quiet: Boo
         }
     }
 
-    /** Makes tables and plots of [done] runs. @throws ProgramResult when some failed */
-    fun conclude(done: List<SweepRun>) {
+    /** Makes tables and plots of [done] runs, of which some may be [busy]. @throws ProgramResult when some failed */
+    fun conclude(done: List<SweepRun>, busy: Int = 0) {
         val sweep = sweepOf(done)
         printLines(table(SweepText(sweep)))
         val plots = write(sweep, ::warn)
@@ -47,23 +47,30 @@ internal class SweepReport(private val order: SweepOrder, private val quiet: Boo
             printLine("")
             printLine("${if (plots == 0) "tables" else "tables and plots"} are in ${place.path}")
         }
-        requireNoneFailed(done) { "see ${place.runs}" }
+        requireNoneFailed(done, busy) { "see ${place.runs}" }
     }
 
     /** Says how [done] runs of a [part] of the sweep have ended. @throws ProgramResult when some failed */
-    fun concludePart(part: String, done: List<SweepRun>) {
+    fun concludePart(part: String, done: List<SweepRun>, busy: Int) {
         for (run in done) run.failure?.let { warn("${run.name}: $it") }
         if (!quiet) {
             val finished = done.count { it.failure == null }
             printLine("$part: $finished of ${done.size} runs are finished; `--collect` makes the tables of all parts")
         }
-        requireNoneFailed(done) { "the same command tries them again" }
+        requireNoneFailed(done, busy) { "the same command tries them again" }
     }
 
-    private fun requireNoneFailed(done: List<SweepRun>, advice: () -> String) {
+    private fun requireNoneFailed(done: List<SweepRun>, busy: Int, advice: () -> String) {
         val failed = done.count { it.failure != null }
         if (failed == 0) return
-        throw ProgramResult(complain("$failed of ${done.size} runs failed, ${advice()}", EXIT_FAILED))
+        val how = if (busy == 0) {
+            "failed"
+        } else if (busy == failed) {
+            "busy"
+        } else {
+            "failed, $busy of them busy"
+        }
+        throw ProgramResult(complain("$failed of ${done.size} runs $how, ${advice()}", EXIT_FAILED))
     }
 
     /** Beside each other stand as many points as have place; where not even one has, all are listed below. */

@@ -27,9 +27,10 @@ internal class SweepRuns(
      * What has come of runs.
      *
      * @property done those that ended, well or not, in the order of the plan
+     * @property busy how many of them other processes are at
      * @property isInterrupted whether somebody wants the program to end
      */
-    class Outcome(val done: List<SweepRun>, val isInterrupted: Boolean)
+    class Outcome(val done: List<SweepRun>, val busy: Int, val isInterrupted: Boolean)
 
     /** Carries out [runs], or goes on with them, and then calls [conclude] before an interrupted program may end. */
     fun carryOut(runs: List<PlannedRun>, conclude: (Outcome) -> Unit) {
@@ -45,7 +46,7 @@ internal class SweepRuns(
                 work.carryOut(run).also { progress.ended(run, it) }
             }
             progress.clear()
-            conclude(Outcome(results.filterNotNull(), interruption.requested))
+            conclude(Outcome(results.filterNotNull(), progress.busy, interruption.requested))
         } finally {
             interruption.done()
         }

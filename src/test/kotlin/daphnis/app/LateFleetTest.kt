@@ -9,6 +9,7 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import java.lang.reflect.Proxy
 import java.util.concurrent.CountDownLatch
 import java.util.concurrent.ExecutionException
 import java.util.concurrent.Executors
@@ -42,6 +43,23 @@ class LateFleetTest {
             pool.shutdownNow()
         }
         assertThrows(FleetException::class.java) { fleet.nodes() }
+    }
+
+    @Test
+    fun `nodes can compute from when they work together until they are waited for again`() {
+        val fleet = LateFleet {
+            object : Fleet by Nobody {
+                override fun form(nodes: List<FleetNode>): Mail =
+                    Proxy.newProxyInstance(javaClass.classLoader, arrayOf(Mail::class.java)) { _, _, _ -> null } as Mail
+            }
+        }
+        fleet.nodes()
+        assertEquals(0, fleet.able)
+        fleet.form(emptyList())
+        Thread.sleep(1)
+        assertTrue(fleet.able > 0)
+        fleet.busy()
+        assertEquals(0, fleet.able)
     }
 
     @Test

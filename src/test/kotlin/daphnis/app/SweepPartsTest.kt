@@ -120,10 +120,16 @@ class SweepPartsTest {
         Files.delete(taken.parent)
         assertDone(sweep("a", "--part", "5/6"))
         Files.createDirectories(taken)
-        val said = RunLock.take(taken).use { sweep("a", "--part", "1/2") }
+        val said = RunLock.take(taken).use {
+            daphnis("sweep", *words.dropLast(1).toTypedArray(), "--out", "${folder.resolve("a")}", "--part", "1/2")
+        }
         assertEquals(EXIT_FAILED, said.code)
-        assertTrue("coefficient=0.5,seed=1: " in said.err && "is running in this directory" in said.err) { said.err }
-        assertTrue("1 of 3 runs failed, the same command tries them again" in said.err) { said.err }
+        assertTrue("coefficient=0.5,seed=1: " in said.err && "is running in this directory; wait" in said.err) {
+            said.err
+        }
+        assertTrue("coefficient=0.5,seed=1: busy; " in said.err && "1 busy\n" in said.err) { said.err }
+        assertFalse(" failed" in said.err) { said.err }
+        assertTrue("1 of 3 runs busy, the same command tries them again" in said.err) { said.err }
         val early = collect("a").err
         assertTrue("seed=1: is not finished; the last try failed: " in early && "is running in" in early) { early }
         assertTrue("coefficient=0.5,seed=2: is not finished\n" in early) { early }
@@ -143,6 +149,8 @@ class SweepPartsTest {
         Files.writeString(other.resolve("notes.txt"), "mine")
         assertDone(sweep("old", "--part", "1/6"))
         for ((said, why) in listOf(
+            sweep("new", "--nodes", "2") to
+                "--nodes, --cluster: are of one run; processes share a sweep out with --part",
             sweep("new", "--part", "0/3") to "parts are numbered from 1 to 3",
             sweep("new", "--part", "auto") to "no job of an array",
             sweep("new", "--part", "1/3", "--collect") to "--part: is given together with --collect; each is for a",

@@ -80,7 +80,7 @@ internal class NetworkCase(
             }
             NetworkFault.HALVES -> {
                 network.trunk(false)
-                awaitThat("the loss is told") { "1 node continue" in run.said }
+                awaitThat("the loss is told") { "1 node continues" in run.said }
                 awaitThat("the others wait") { nodes.drop(1).all { "waiting for a run" in it.said.afterWork() } }
                 network.trunk(true)
                 if (!nodes.all { it.isAlive }) complaints += "the greater part of the nodes has not stayed"
@@ -91,8 +91,7 @@ internal class NetworkCase(
                 awaitThat("the nodes wait") { nodes.all { "waiting for a run" in it.said.afterWork() } }
                 network.link(0, true)
                 awaitThat("the run comes back") {
-                    "looking for nodes anew" in run.said &&
-                        "continue from step" in run.said
+                    "looking for nodes anew" in run.said && CONTINUES in run.said
                 }
             }
             NetworkFault.NARROW, NetworkFault.RUN_NARROW, NetworkFault.LOSSY -> Unit
@@ -114,7 +113,7 @@ internal class NetworkCase(
         if (ended.code != 0) complaints += "the run ended with ${ended.code}: $said"
         if (ended.hasTrace) complaints += "a trace: $said"
         val isQuiet = fault == NetworkFault.LINK_SHORT || fault == NetworkFault.RUN_SHORT
-        if (isQuiet && "continue from step" in ended.text) complaints += "a loss without need: $said"
+        if (isQuiet && CONTINUES in ended.text) complaints += "a loss without need: $said"
     }
 
     private fun expect(program: Program, line: String) {
@@ -153,6 +152,7 @@ internal class NetworkCase(
     }
 
     private companion object {
+        val CONTINUES = Regex("continues? from step")
         const val PORT = 25520
         const val HEAP = "96m"
         const val RATE = "tbf rate 1mbit burst 16kb latency 400ms"

@@ -50,6 +50,7 @@ private fun inFlags(wayOut: WayOut): String = when (wayOut) {
     WayOut.TLS_OR_INSECURE -> {
         "set daphnis.cluster.tls in a settings file (--config), or add --insecure where the network is trusted"
     }
+    WayOut.AWAIT_OTHER -> wayOut.words
     WayOut.WRITE_SNAPSHOTS -> "run with --set output.snapshotEvery=10, for example"
     WayOut.GIVE_TIME_STEP -> "give --time-step DT"
     WayOut.GIVE_SCENARIO -> "give --scenario"

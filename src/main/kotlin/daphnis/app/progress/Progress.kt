@@ -13,12 +13,16 @@ import java.util.Locale
  *
  * @param times in which it tells times
  * @param energyUnit empty where it has no name
+ * @param able as [SlowStep] has it
+ * @param patience nanoseconds until a step is told of
  */
 internal class Progress(
     private val quiet: Boolean,
     private val until: Double,
     private val times: TimesInWords,
     private val energyUnit: String,
+    able: () -> Long,
+    patience: Long = PATIENCE,
 ) : Output {
     private val terminal = Terminal()
     private val live = !quiet && terminal.terminalInfo.outputInteractive
@@ -28,17 +32,21 @@ internal class Progress(
     private var isFirst = true
     private var collisionsBefore = 0L
     private var width = 0
-    private val slow = SlowStep(PATIENCE, ::tellSlow)
+    private val slow = SlowStep(patience, able, ::tellSlow)
+    private lateinit var simulation: Simulation
 
     override fun open(simulation: Simulation, opening: Opening) {
+        this.simulation = simulation
         pace = Pace(until)
+    }
+
+    /** The next step begins. */
+    fun beginStep() {
         if (!quiet) slow.begin(simulation.step + 1)
     }
 
     override fun write(simulation: Simulation) {
-        if (quiet) return
-        slow.begin(simulation.step + 1)
-        if (simulation.step == 0L) return
+        if (quiet || simulation.step == 0L) return
         val wallSeconds = pace.seconds()
         val collisions = simulation.collisions?.counters?.collisions ?: 0
         val left = pace.left(simulation.time)
@@ -58,9 +66,11 @@ internal class Progress(
         collisionsBefore = collisions
     }
 
-    private fun tellSlow(step: Long, seconds: Double) = aside(
-        "step $step has taken %.0f s so far; a shorter timeStep makes shorter steps".format(Locale.ROOT, seconds),
-    )
+    private fun tellSlow(step: Long, seconds: Double) {
+        // What follows a step, such as a checkpoint, is none of it.
+        if (simulation.step >= step) return
+        aside("step $step has taken %.0f s so far; a shorter timeStep makes shorter steps".format(Locale.ROOT, seconds))
+    }
 
     /** A line that stays, from any thread. */
     @Synchronized

@@ -8,9 +8,14 @@ import kotlin.concurrent.withLock
  * as long: nothing else of a run speaks within a step. [begin] and [end] come from the thread that drives the run.
  *
  * @param patience nanoseconds
+ * @param able nanoseconds for which it has been possible to compute; 0 while it waits for nodes
  * @param say from a thread of this, with the number of the step and the seconds that it has run
  */
-internal class SlowStep(private val patience: Long, private val say: (step: Long, seconds: Double) -> Unit) {
+internal class SlowStep(
+    private val patience: Long,
+    private val able: () -> Long,
+    private val say: (step: Long, seconds: Double) -> Unit,
+) {
     private val lock = ReentrantLock()
     private val changed = lock.newCondition()
     private var step = 0L
@@ -39,7 +44,7 @@ internal class SlowStep(private val patience: Long, private val say: (step: Long
 
     private fun watch(): Unit = lock.withLock {
         while (thread == Thread.currentThread()) {
-            val run = System.nanoTime() - began
+            val run = minOf(System.nanoTime() - began, able())
             if (run >= next) {
                 next = 2 * run
                 say(step, run * SECONDS)

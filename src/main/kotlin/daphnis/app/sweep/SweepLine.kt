@@ -5,7 +5,8 @@ import java.util.Locale
 /**
  * How far a sweep has come.
  *
- * @property finished runs, of [all]; [failed] are not among them
+ * @property finished runs, of [all]; [failed] and [busy] are not among them
+ * @property busy those at which other processes are
  * @property running runs that go on; 0 to be silent about them
  * @property part of the whole, from 0 to 1
  * @property left seconds left; NaN when that is not known
@@ -13,6 +14,7 @@ import java.util.Locale
 internal class SweepLine(
     private val finished: Int,
     private val failed: Int,
+    private val busy: Int,
     private val running: Int,
     private val all: Int,
     private val part: Double,
@@ -24,7 +26,8 @@ internal class SweepLine(
         // Of all steps, not of the runs that are named behind.
         val ofWork = "$percent of the work"
         val done = "$finished of $all ${if (all == 1) "run" else "runs"}"
-        val bad = if (failed > 0) "$failed failed" else null
+        val bad = listOfNotNull("$failed failed".takeIf { failed > 0 }, "$busy busy".takeIf { busy > 0 })
+            .joinToString("  ").ifEmpty { null }
         val now = if (running > 0) "$running running" else null
         val clock = if (left.isFinite() && part < 1) "${clock(left)} left" else null
         val lines = listOf(

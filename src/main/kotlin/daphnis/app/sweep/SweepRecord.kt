@@ -41,7 +41,13 @@ internal class SweepRecord(
     fun scenario(settings: List<String>): Scenario = ScenarioJson.parse("$scenario", name, settings)
 
     /** What this record has otherwise than the [earlier] one, as the end of a sentence; null when nothing. */
-    fun difference(earlier: SweepRecord): String? {
+    fun difference(earlier: SweepRecord): String? = listOfNotNull(
+        changed("", earlier.scenario, scenario),
+        changedKey(earlier),
+        if (seeds == earlier.seeds) null else "--seeds was ${text(earlier.seeds)} and is ${text(seeds)}",
+    ).joinToString(", ").ifEmpty { null }
+
+    private fun changedKey(earlier: SweepRecord): String? {
         val before = earlier.keys.associate { it.path to it.values.joinToString(",") }
         val now = keys.associate { it.path to it.values.joinToString(",") }
         for (path in before.keys + now.keys) {
@@ -51,8 +57,7 @@ internal class SweepRecord(
         if (before.keys.toList() != now.keys.toList()) {
             return "--set was in the order ${before.keys.joinToString()} and is ${now.keys.joinToString()}"
         }
-        if (seeds != earlier.seeds) return "--seeds was ${text(earlier.seeds)} and is ${text(seeds)}"
-        return changed("", earlier.scenario, scenario)
+        return null
     }
 
     private fun text(seeds: List<Long>?): String {

@@ -31,6 +31,9 @@ internal interface SweepTeller {
     /** Run [name] has come so far, from 0 to 1. */
     fun at(name: String, fraction: Double)
 
+    /** Another process is at run [name]. */
+    fun busy(name: String)
+
     /** Something of run [name] that a user should know. */
     fun notice(name: String, line: String)
 }
@@ -87,6 +90,7 @@ internal class SweepWork(
             teller.notice(run.name, words(e))
             SweepRun(run.name, run.values, seed, emptyList(), words(e))
         } catch (e: Throwable) {
+            if (e is InputException && e.wayOut == WayOut.AWAIT_OTHER) teller.busy(run.name)
             // Whatever it is, the other runs go on: a run that ran out of memory leaves them theirs.
             SweepRun(run.name, run.values, seed, emptyList(), words(e))
         }

@@ -134,7 +134,7 @@ class BatchPageTest {
         }
         val names = Regex("""metadata:\n  name: (.*)""").findAll(job).map { it.groupValues[1] }.toList()
         assertEquals(names[0], Regex("""claimName: (.*)""").find(job)!!.groupValues[1])
-        assertTrue(" job/${names[1]}\n" in Files.readString(Repository.root.resolve("docs/batch.md")))
+        assertTrue(" job/${names[1]} " in Files.readString(Repository.root.resolve("docs/batch.md")))
     }
 
     @Test

@@ -31,6 +31,8 @@ class SweepWorkTest {
             parts += fraction
         }
 
+        override fun busy(name: String) = Unit
+
         override fun notice(name: String, line: String) = Unit
     }
 
@@ -153,6 +155,9 @@ class SweepWorkTest {
             record("scenario", plan.keys, null) to "--seeds was 1,2 and is not given",
             record("scenario", plan.keys, (1L..4).toList()) to "--seeds was 1,2 and is 1..4",
             record("another", plan.keys, plan.seeds) to "was \"scenario\" and is \"another\"",
+            record("another", plan.keys.take(2), null) to
+                "\"another\", --set particles.count was 100 and is not given, " +
+                "--seeds was 1,2 and is not given; repeat",
         )) {
             val e = assertThrows(InputException::class.java) { a.claim(other) }
             assertTrue(why in e.message!!) { e.message!! }

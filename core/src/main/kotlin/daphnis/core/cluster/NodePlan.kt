@@ -147,9 +147,9 @@ internal class NodePlan(
             val planes = if (boundary.hasImages(axis)) parts else parts - 1
             return minOf(parts.toDouble(), 1 + 2 * planes * shares[axis])
         }
-        val sides = (1..minOf(bricks, BrickDivision.MOST)).filter { bricks % it == 0 }
+        val sides = (1..bricks).filter { bricks % it == 0 }
         return sides.flatMap { x -> sides.filter { bricks / x % it == 0 }.map { y -> Triple(x, y, bricks / x / y) } }
-            .filter { (x, y, z) -> z <= BrickDivision.MOST && canCut(shares, x, y, z) }
+            .filter { (x, y, z) -> canCut(shares, x, y, z) }
             .map { (x, y, z) -> BrickDivision(x, y, z) }
             .minByOrNull { copies(0, it.x) * copies(1, it.y) * copies(2, it.z) }
     }

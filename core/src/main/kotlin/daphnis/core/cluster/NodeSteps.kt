@@ -203,7 +203,8 @@ internal class NodeSteps(
 
     /** Tells of a loss, once others work. Until all have noticed it, several crews may have come to nothing. */
     private fun noteLoss(crew: Crew) {
-        log("${loss ?: return}; ${count(crew.nodes.size)} continue from step $lossStep")
+        val goOn = if (crew.nodes.size == 1) "continues" else "continue"
+        log("${loss ?: return}; ${count(crew.nodes.size)} $goOn from step $lossStep")
         loss = null
     }
 

@@ -27,6 +27,9 @@ public enum class WayOut(public val words: String) {
     /** TLS in a file of settings, or `insecure` of a cluster, where nobody else is on the network. */
     TLS_OR_INSECURE("set daphnis.cluster.tls in a settings file, or set insecure where the network is trusted"),
 
+    /** The end of the process that is at work in the directory. */
+    AWAIT_OTHER("wait for its end"),
+
     /** A scenario that writes snapshots. */
     WRITE_SNAPSHOTS("run with snapshots"),
 

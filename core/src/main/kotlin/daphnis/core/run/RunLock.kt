@@ -2,6 +2,7 @@ package daphnis.core.run
 
 import daphnis.core.format.reasonOf
 import daphnis.core.input.InputException
+import daphnis.core.input.WayOut
 import java.io.IOException
 import java.nio.ByteBuffer
 import java.nio.channels.FileChannel
@@ -121,7 +122,8 @@ public class RunLock private constructor(private val directory: Path, private va
 
         private fun busy(directory: Path, process: String): InputException {
             val which = if (process.isEmpty()) "" else " ($process)"
-            return InputException(directory.toString(), null, "another process$which is running in this directory")
+            val problem = "another process$which is running in this directory"
+            return InputException(directory.toString(), null, problem, WayOut.AWAIT_OTHER)
         }
 
         private const val LONGEST_NUMBER = 20

@@ -83,6 +83,7 @@ class NodeLossTest {
         assertSame("nodes", start(fleet).use { it.execute() })
         assertEquals(1, fleet.nodes().size)
         assertEquals(4, fleet.crews)
+        assertTrue("is lost; 1 node continues from step" in lines[lines.size - 2]) { "$lines" }
     }
 
     @Test

@@ -8,6 +8,7 @@ import daphnis.core.cluster.bricks.HaloMargins
 import daphnis.core.cluster.bricks.Territory
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.collision.CollisionLaw
+import daphnis.core.hill.HillSheet
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.population.Population
 import daphnis.core.step.CollisionStep
@@ -109,6 +110,15 @@ class NodePlanTest {
                 val all = plans(parts, Open, intArrayOf(2, 1, 2), doubleArrayOf(1.0, 1.0, 1.0))
                 for (territory in all.flatten()) assertEquals(5, territory.size) { "$count spheres at $x" }
             }
+        }
+    }
+
+    @Test
+    fun `a sheared box is cut into slabs across the shear, however many they are`() {
+        val boundary = HillSheet(Box(0.0, 0.0, 0.0, 50.0, 1.0, 1.0), 0.31)
+        val parts = List(2) { spheres(4000) { it * 50 } }
+        for (territory in plans(parts, boundary, intArrayOf(32, 32), DoubleArray(2)).flatten()) {
+            assertEquals(listOf(64, 1, 1), List(3) { territory.parts(it) })
         }
     }
 }

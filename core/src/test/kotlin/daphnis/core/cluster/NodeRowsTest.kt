@@ -2,6 +2,7 @@ package daphnis.core.cluster
 
 import daphnis.core.Engines
 import daphnis.core.Output
+import daphnis.core.boundary.state
 import daphnis.core.population.Conserved
 import daphnis.core.population.stateDigest
 import daphnis.core.run.Run
@@ -133,20 +134,36 @@ class NodeRowsTest {
     }
 
     @Test
-    fun `a step that fails does so with the same words, and the state before it is kept`() {
+    fun `nodes may have hundreds of threads together`() {
+        serial(RowCase.WALLS, "until=0.15")
+        nodes(ThreadFleet(2) { 136 }, RowCase.WALLS, Output { }, "until=0.15")
+        assertSameRows()
+    }
+
+    @Test
+    fun `a step that fails where spheres grow does so with the same words, and the state before it is kept`() {
         // One sphere grows until it would touch its own image.
         val fails = arrayOf("particles.count=1", "growth={\"rate\": 2}", "until=5.5", "timeStep.dt=0.04")
-        val serial = assertThrows(RunException::class.java) { serial(RowCase.GROWING, *fails) }
-        val nodes =
-            assertThrows(RunException::class.java) { nodes(ThreadFleet(3), RowCase.GROWING, Output { }, *fails) }
-        assertTrue("touches its own image" in serial.message!!) { serial.message!! }
+        assertFails(RowCase.GROWING, "touches its own image", 100, *fails)
+    }
+
+    @Test
+    fun `so it does where walls are pistons`() {
+        val fall = "forces=[{\"type\": \"uniform-acceleration\", \"acceleration\": [300, 0, 0]}]"
+        assertFails(RowCase.PISTONS, "images", 3, "boundary.axes=z", fall, "until=5", "particles.count=100")
+    }
+
+    private fun assertFails(case: RowCase, words: String, after: Long, vararg settings: String) {
+        val serial = assertThrows(RunException::class.java) { serial(case, *settings) }
+        val nodes = assertThrows(RunException::class.java) { nodes(ThreadFleet(3), case, Output { }, *settings) }
+        assertTrue(words in serial.message!!) { serial.message!! }
         assertEquals(serial.message, nodes.message)
         val states = listOf("serial", "nodes").map { run ->
             Run.resume(home.resolve(run), engines = Engines).use {
-                listOf(it.resumedFrom, stateDigest(it.simulation.population))
+                listOf(it.resumedFrom, stateDigest(it.simulation.population), it.simulation.boundary.state.toList())
             }
         }
-        assertTrue(states[0][0] as Long > 100)
+        assertTrue(states[0][0] as Long > after) { "$states" }
         assertEquals(states[0], states[1])
     }
 
