@@ -18,13 +18,14 @@ internal class EdgeExchange(val states: PairStates) {
      */
     fun pass(rows: StepRows, first: Int, second: Int, b: Double, d2: Double, outcome: CollisionOutcome): Boolean {
         val state = states.of(rows, first, rows, second)
-        val contact = rows.state[first * STRIDE + RADIUS] + rows.state[second * STRIDE + RADIUS]
-        val isOuter = states.isOuter(state, contact, d2)
+        val r1 = rows.state[first * STRIDE + RADIUS]
+        val r2 = rows.state[second * STRIDE + RADIUS]
+        val isOuter = states.isOuter(state, r1 + r2, d2)
         if (!isOuter && states.isContact(state)) return false
         val m1 = rows.mass[first]
         val m2 = rows.mass[second]
         val mass = m1 * m2 / (m1 + m2)
-        val cost = states.cost(state, isOuter)
+        val cost = states.cost(state, isOuter, r1, r2)
         // b² is (v_n d)², so ½ μ v_n² ≥ cost is b² ≥ 2 cost d²/μ.
         val left = b * b - 2.0 * cost * d2 / mass
         outcome.forgetSurfaces()

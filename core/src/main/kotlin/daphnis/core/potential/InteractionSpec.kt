@@ -4,6 +4,7 @@ import daphnis.core.input.Quantities
 import daphnis.core.input.ValueCheck
 import kotlinx.serialization.SerialName
 import kotlinx.serialization.Serializable
+import kotlin.math.abs
 
 /**
  * What spheres do to one another besides impacts, as a scenario describes it. Ratios are distances over the sum of the
@@ -20,6 +21,9 @@ public sealed interface InteractionSpec {
 
     /** A description for a reader, with its numbers. */
     public fun inWords(say: Quantities): String
+
+    /** Whether the state of a pair depends on its past, and not on its distance alone. */
+    public val remembers: Boolean get() = false
 
     /** Nothing, for pairs of materials where others do something. */
     @Serializable
@@ -56,6 +60,38 @@ public sealed interface InteractionSpec {
 
         override fun inWords(say: Quantities): String =
             "square shoulder of height ${say.energy(height)} up to ${Quantities.number(ratio)} sums of radii"
+    }
+
+    /**
+     * See [daphnis.core.potential.Bridge].
+     *
+     * @property radius of two spheres whose bridge takes [energy]; needed with an [exponent]
+     */
+    @Serializable
+    @SerialName("bridge")
+    public class Bridge @JvmOverloads constructor(
+        public val ratio: Double,
+        public val energy: Double,
+        public val radius: Double? = null,
+        public val exponent: Double = 0.0,
+    ) : InteractionSpec {
+        override val remembers: Boolean get() = true
+
+        override fun interaction(key: String, check: ValueCheck): PairInteraction {
+            checkRatio("$key.ratio", ratio, check)
+            check.positive("$key.energy", energy)
+            check.that("$key.exponent", exponent, abs(exponent) <= MOST_EXPONENT) {
+                "must be at most $MOST_EXPONENT, and at least -$MOST_EXPONENT"
+            }
+            if (exponent == 0.0) return daphnis.core.potential.Bridge(ratio, energy)
+            check.must("$key.radius", radius != null) { "is missing; give that of two spheres whose bridge takes energy" }
+            check.extent("$key.radius", radius!!)
+            return daphnis.core.potential.Bridge(ratio, energy, radius, exponent)
+        }
+
+        override fun inWords(say: Quantities): String =
+            "bridge that forms at contact and breaks at ${Quantities.number(ratio)} sums of radii, which takes " +
+                say.energy(energy) + if (exponent == 0.0) "" else " of two of radius ${say.length(radius!!)}"
     }
 
     /**
@@ -102,3 +138,4 @@ private fun checkRatio(key: String, ratio: Double, check: ValueCheck) = check.th
 
 /** Every sphere is asked for all that are so many sums of radii away. */
 private const val MOST_REACH = 100.0
+private const val MOST_EXPONENT = 10.0

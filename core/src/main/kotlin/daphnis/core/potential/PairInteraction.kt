@@ -26,8 +26,16 @@ public abstract class PairInteraction internal constructor() {
  * @property energy potential energy
  * @property inner edge that is met on approach; null where there is none
  * @property outer edge that is met when the two recede; null where there is none
+ * @property size how what the outer edge costs goes with sizes; null for the same of all
  */
-internal class PairState(val energy: Double, val inner: Edge?, val outer: Edge?)
+internal class PairState(val energy: Double, val inner: Edge?, val outer: Edge?, val size: SizeLaw? = null)
+
+/** A factor that is 1 for the effective radius [radius] and goes with the power [exponent] of it. */
+internal class SizeLaw(private val radius: Double, private val exponent: Double) {
+    /** The factor for spheres of the radii [first] and [second]. */
+    fun factor(first: Double, second: Double): Double =
+        StrictMath.pow(first * second / (first + second) / radius, exponent)
+}
 
 /**
  * An edge of a [PairState].

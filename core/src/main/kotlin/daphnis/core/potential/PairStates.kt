@@ -122,8 +122,12 @@ internal class PairStates(private val interactions: PairInteractions) {
     /** Whether the inner edge of [state] is where surfaces meet. */
     fun isContact(state: Int): Boolean = isContact[state]
 
-    /** What passing the edge of [state] costs, see [Edge.cost]. */
-    fun cost(state: Int, isOuter: Boolean): Double = if (isOuter) outerCost[state] else innerCost[state]
+    /** What passing the edge of [state] costs two spheres of the radii [r1] and [r2], see [Edge.cost]. */
+    fun cost(state: Int, isOuter: Boolean, r1: Double, r2: Double): Double {
+        if (!isOuter) return innerCost[state]
+        val size = all[state].size ?: return outerCost[state]
+        return outerCost[state] * size.factor(r1, r2)
+    }
 
     /** The state beyond the edge of [state]. */
     fun next(state: Int, isOuter: Boolean): Int = if (isOuter) outerNext[state] else innerNext[state]

@@ -53,6 +53,8 @@ public class RunOrigin(public val run: RecordedRun, public val state: Snapshot) 
     internal fun notices(scenario: Scenario): List<String> = listOfNotNull(
         "$name: the times since the last collisions are not part of a state; guard.duration counts from the start"
             .takeIf { scenario.guard?.remembers == true },
+        "$name: bridges are not part of a state; none is there until surfaces meet"
+            .takeIf { scenario.interactions.any { it.remembers } },
     ) + elsewhere(scenario)
 
     /** Pistons that [scenario] would have elsewhere, or with another speed, than the scenario of the other run. */

@@ -72,7 +72,7 @@ internal class GrowthSetup(private val scenario: Scenario, private val check: Va
         need(isElastic, "elastic collisions, restitution constant with the coefficient 1")
         val isSmooth = scenario.roughness == null && scenario.contacts.all { it.roughness == null }
         need(isSmooth, "smooth spheres, without roughness")
-        need(!scenario.haveInteractions, "spheres that do nothing to one another besides impacts, without interaction")
+        need(scenario.interactions.isEmpty(), "spheres without interaction")
         return if (spec.rate == 0.0) boundary else GrowingSpheres(box, spec.rate, since, spec.thermostat)
     }
 

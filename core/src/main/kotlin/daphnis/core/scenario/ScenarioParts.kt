@@ -100,16 +100,16 @@ public interface ScenarioParts {
      */
     public val restitutionAtRest: Double? get() {
         val isAtRest = boundary.repeatsAtRest && frame == null && growth == null
-        if (!isAtRest || forces.isNotEmpty() || bodies.isNotEmpty() || haveInteractions) return null
+        if (!isAtRest || forces.isNotEmpty() || bodies.isNotEmpty() || interactions.isNotEmpty()) return null
         val coefficients = impacts.map { impact ->
             impact.restitution!!.constant?.takeIf { impact.roughness?.isSmooth != false }
         }
         return coefficients.distinct().singleOrNull()
     }
 
-    /** Whether any spheres do something to one another besides impacts. */
-    public val haveInteractions: Boolean
-        get() = interaction != null || contacts.any { it.interaction != null }
+    /** All that spheres do to one another besides impacts. */
+    public val interactions: List<InteractionSpec>
+        get() = listOfNotNull(interaction) + contacts.mapNotNull { it.interaction }
 
     /** G in the scenario's units: that of a force that says it, else Newton's; null where neither is known. */
     public val gravitationalConstant: Double?

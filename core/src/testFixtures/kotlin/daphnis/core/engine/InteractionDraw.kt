@@ -3,6 +3,7 @@ package daphnis.core.engine
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.initial.SeededRandom
 import daphnis.core.population.Population
+import daphnis.core.potential.Bridge
 import daphnis.core.potential.PairInteraction
 import daphnis.core.potential.PairInteractions
 import daphnis.core.potential.SteppedPotential
@@ -29,6 +30,10 @@ internal class InteractionDraw(private val seed: Long) {
     }
 
     private fun potential(most: Double, mass: Double): PairInteraction {
+        if (random.nextInt(3) == 0) {
+            val exponent = if (random.nextInt(2) == 0) 0.0 else 4.0 / 3
+            return Bridge(random.nextDouble(1.01, most), mass * random.nextDouble(0.01, 1.0), 0.7, exponent)
+        }
         val steps = 1 + random.nextInt(4)
         val ratios = DoubleArray(steps) { random.nextDouble(1.01, most) }.apply { sort() }.reversedArray()
         if (isSoft) ratios[steps - 1] = 1.0
