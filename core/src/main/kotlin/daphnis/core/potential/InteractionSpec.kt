@@ -84,7 +84,9 @@ public sealed interface InteractionSpec {
                 "must be at most $MOST_EXPONENT, and at least -$MOST_EXPONENT"
             }
             if (exponent == 0.0) return daphnis.core.potential.Bridge(ratio, energy)
-            check.must("$key.radius", radius != null) { "is missing; give that of two spheres whose bridge takes energy" }
+            check.must("$key.radius", radius != null) {
+                "is missing; give that of two spheres whose bridge takes energy"
+            }
             check.extent("$key.radius", radius!!)
             return daphnis.core.potential.Bridge(ratio, energy, radius, exponent)
         }

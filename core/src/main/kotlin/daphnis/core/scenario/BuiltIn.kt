@@ -14,7 +14,7 @@ public object BuiltIn {
             "paper-figure-1", "paper-figure-2", "paper-figure-3", "elastic-gas", "cooling-gas", "driven-gas",
             "rough-gas", "mixture", "hard-discs", "vibrated-bed", "drum", "shear-cell", "ring-patch",
             "rough-ring", "satellite-wake", "moonlet", "moonlet-walk", "overstability", "self-gravity-wakes",
-            "crystal", "glass",
+            "crystal", "glass", "square-well", "wet-grains", "accretion",
         )
 
     /** The text of the scenario [name], with its comments; null when there is none. */

@@ -30,12 +30,13 @@ class SquareWellTest {
     )
 
     /** Makes the temperature [to] in [dimensions], again and again until the gas has forgotten its start. */
-    private fun Simulation.settle(to: Double, dimensions: Int = 3, times: Int = 5, lasts: Double = 2.0) = repeat(times) {
-        val end = time + lasts
-        while (time < end) advance()
-        val by = sqrt(to / temperature(dimensions))
-        for (axis in 0 until dimensions) population.velocity(axis).let { v -> for (k in v.indices) v[k] *= by }
-    }
+    private fun Simulation.settle(to: Double, dimensions: Int = 3, times: Int = 5, lasts: Double = 2.0) =
+        repeat(times) {
+            val end = time + lasts
+            while (time < end) advance()
+            val by = sqrt(to / temperature(dimensions))
+            for (axis in 0 until dimensions) population.velocity(axis).let { v -> for (k in v.indices) v[k] *= by }
+        }
 
     private fun Simulation.temperature(dimensions: Int) =
         conserved().let { 2 * it.kineticEnergy / it.mass / dimensions }
