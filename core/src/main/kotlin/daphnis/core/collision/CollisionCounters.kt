@@ -1,7 +1,7 @@
 package daphnis.core.collision
 
 /**
- * What an engine has counted since the start of the run. The first four numbers belong to the trajectory and are the
+ * What an engine has counted since the start of the run. The first five numbers belong to the trajectory and are the
  * same for every engine. The rest tell how the engine worked.
  */
 public class CollisionCounters {
@@ -35,11 +35,18 @@ public class CollisionCounters {
             counts[3] = value
         }
 
-    /** Steps restored and redone because a sphere went farther than the bound on its reach. */
-    public var redoneSteps: Long
+    /** Collisions in which two spheres merged, so that there is one less. */
+    public var mergers: Long
         get() = counts[4]
         set(value) {
             counts[4] = value
+        }
+
+    /** Steps restored and redone because a sphere went farther than the bound on its reach. */
+    public var redoneSteps: Long
+        get() = counts[5]
+        set(value) {
+            counts[5] = value
         }
 
     /**
@@ -49,9 +56,9 @@ public class CollisionCounters {
      * throws, and is not counted.
      */
     public var causalityReplays: Long
-        get() = counts[5]
+        get() = counts[6]
         set(value) {
-            counts[5] = value
+            counts[6] = value
         }
 
     internal operator fun get(counter: Counter): Long = counts[counter.ordinal]
@@ -98,6 +105,7 @@ internal enum class Counter(val key: String, val isOfTrajectory: Boolean, val is
     WALL_COLLISIONS("wallCollisions", true),
     GUARD_ACTIVATIONS("guardActivations", true),
     EDGE_EVENTS("edgeEvents", true, isNew = true),
+    MERGERS("mergers", true, isNew = true),
     REDONE_STEPS("redoneSteps", false),
     CAUSALITY_REPLAYS("causalityReplays", false),
 }

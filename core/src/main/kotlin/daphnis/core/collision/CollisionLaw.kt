@@ -3,6 +3,8 @@ package daphnis.core.collision
 import daphnis.core.collision.StepRows.Companion.MARKS
 import daphnis.core.collision.StepRows.Companion.STRIDE
 import daphnis.core.collision.StepRows.Companion.VX
+import daphnis.core.merging.MergeRule
+import daphnis.core.merging.Merging
 import daphnis.core.potential.EdgeExchange
 import daphnis.core.potential.PairInteractions
 import daphnis.core.potential.PairStates
@@ -13,7 +15,6 @@ import daphnis.core.surface.Restitution
 import daphnis.core.surface.RoughContact
 import daphnis.core.surface.Roughness
 import daphnis.core.surface.SurfaceContact
-import kotlin.math.abs
 import kotlin.math.sqrt
 
 /**
@@ -30,6 +31,7 @@ import kotlin.math.sqrt
  * @param turning angular speed about z of the axes in which spins are given: Ω in Hill's frame, else 0
  * @param acceleration of all spheres along x, y, z, by forces that kick them before and after the drift: what walls
  *   need to know of the true paths
+ * @property mergeRule which impacts merge two spheres; null for none
  * @property interactions what spheres do to one another besides impacts; null for nothing
  */
 public class CollisionLaw @JvmOverloads constructor(
@@ -40,6 +42,7 @@ public class CollisionLaw @JvmOverloads constructor(
     turning: Double = 0.0,
     private val acceleration: List<Double> = STILL,
     public val interactions: PairInteractions? = null,
+    public val mergeRule: MergeRule? = null,
 ) {
     /** Both coefficients. */
     public val contactLaw: ContactLaw = if (roughness == null) law else RoughContact(law, roughness)
@@ -97,6 +100,9 @@ public class CollisionLaw @JvmOverloads constructor(
     /** What happens at the edges of [interactions]. */
     internal val edges: EdgeExchange? = interactions?.let { EdgeExchange(PairStates(it)) }
 
+    /** What happens in a merger; null where nothing merges. */
+    internal val merging: Merging? = mergeRule?.let { Merging(it, momentFactor) }
+
     /** For spheres and walls. */
     internal val spins = SpinExchange(momentFactor, turning)
 
@@ -130,6 +136,7 @@ public class CollisionLaw @JvmOverloads constructor(
             val d2 = dx * dx + dy * dy + dz * dz
             val isEdge = edges != null && edges.pass(rows, first, second, b, d2, outcome)
             if (!isEdge && b >= 0.0) return false
+            outcome.gone = CollisionOutcome.NOBODY
             outcome.separationX = dx
             outcome.separationY = dy
             outcome.separationZ = dz
@@ -141,15 +148,18 @@ public class CollisionLaw @JvmOverloads constructor(
                 return@separation
             }
             outcome.edge = CollisionOutcome.CONTACT
+            if (restitution == null || merging != null) {
+                outcome.ux = ux
+                outcome.uy = uy
+                outcome.uz = uz
+            }
+            if (merging != null && merging.take(rows, first, second, outcome)) return@separation
             if (restitution != null) {
                 askGuard(rows, first, second, time, outcome)
                 outcome.coefficient = if (outcome.guarded) 1.0 else restitution.coefficient(outcome.impactSpeed)
                 settle(rows, first, second, b, d2, time, outcome)
                 outcome.forgetSurfaces()
             } else {
-                outcome.ux = ux
-                outcome.uy = uy
-                outcome.uz = uz
                 outcome.nearing = b
                 outcome.distance2 = d2
                 touch(rows, first, second, time, outcome)
@@ -213,87 +223,6 @@ public class CollisionLaw @JvmOverloads constructor(
     private fun refuse(coefficient: Double, speed: Double): Nothing = throw IllegalArgumentException(
         "the coefficient of restitution is $coefficient at an impact speed of $speed; it must be in [0, 1]",
     )
-
-    /** Changes the velocities by [factor] times the separation, shared by the masses. */
-    private fun exchange(rows: StepRows, first: Int, second: Int, factor: Double, outcome: CollisionOutcome) {
-        val state = rows.state
-        val p = first * STRIDE + VX
-        val q = second * STRIDE + VX
-        val dx = outcome.separationX
-        val dy = outcome.separationY
-        val dz = outcome.separationZ
-        val m1 = rows.mass[first]
-        val m2 = rows.mass[second]
-        val f1 = factor * (m2 / (m1 + m2))
-        val f2 = factor * (m1 / (m1 + m2))
-        // Adding 0.0 turns −0.0 into +0.0. Otherwise the sign of a component that no impulse changes would depend on
-        // which of the two was named first.
-        state[p] = (state[p] + f1 * dx) + 0.0
-        state[p + 1] = (state[p + 1] + f1 * dy) + 0.0
-        state[p + 2] = (state[p + 2] + f1 * dz) + 0.0
-        state[q] = (state[q] - f2 * dx) + 0.0
-        state[q + 1] = (state[q + 1] - f2 * dy) + 0.0
-        state[q + 2] = (state[q + 2] - f2 * dz) + 0.0
-    }
-
-    /**
-     * Sees to it that the two do not approach any more. After an impact with ε = 0 they may still do so by round-off,
-     * and an impulse as small as the rounding of the velocities is lost, or moves only the slower one. They touch, so
-     * they would collide at once, and again for ever. What is added is of the size of that rounding, and moves both: of
-     * three that press on one another the one in the middle would else be pushed to and fro. At an edge the same may be
-     * so of two that are to approach, where [sign] is −1.
-     */
-    private fun separate(
-        rows: StepRows,
-        first: Int,
-        second: Int,
-        image: Int,
-        images: Images,
-        outcome: CollisionOutcome,
-        sign: Double,
-    ) {
-        var b = sign * approach(rows, first, second, image, images, outcome)
-        var fastest = maxOf(rows.fastestComponent(first), rows.fastestComponent(second))
-        for (axis in 0..2) fastest = maxOf(fastest, abs(images.slide(image, axis)))
-        val rounding = VELOCITY_ROUNDING * fastest
-        if (b >= 0.0 && abs(outcome.impactSpeed) > rounding) return
-        val dx = outcome.separationX
-        val dy = outcome.separationY
-        val dz = outcome.separationZ
-        val d2 = dx * dx + dy * dy + dz * dz
-        var more = minOf(b / d2, -rounding / sqrt(d2), -Double.MIN_VALUE)
-        do {
-            exchange(rows, first, second, sign * more, outcome)
-            more *= 2
-            b = sign * approach(rows, first, second, image, images, outcome)
-        } while (b < 0.0)
-    }
-
-    private fun StepRows.fastestComponent(slot: Int): Double {
-        val p = slot * STRIDE + VX
-        return maxOf(abs(state[p]), abs(state[p + 1]), abs(state[p + 2]))
-    }
-
-    /** **d**·**u** of the two at contact, as [contactTime] finds it. */
-    private fun approach(
-        rows: StepRows,
-        first: Int,
-        second: Int,
-        image: Int,
-        images: Images,
-        outcome: CollisionOutcome,
-    ): Double {
-        val state = rows.state
-        val p = first * STRIDE + VX
-        val q = second * STRIDE + VX
-        val ux = state[q] - state[p] + images.slide(image, 0)
-        val uy = state[q + 1] - state[p + 1] + images.slide(image, 1)
-        val uz = state[q + 2] - state[p + 2] + images.slide(image, 2)
-        return outcome.separationX * ux + outcome.separationY * uy + outcome.separationZ * uz
-    }
 }
 
 private val STILL = listOf(0.0, 0.0, 0.0)
-
-/** Of a velocity and of what is computed from it, relative to it. */
-private const val VELOCITY_ROUNDING = 1e-15

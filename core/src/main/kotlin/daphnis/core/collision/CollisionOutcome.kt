@@ -38,6 +38,7 @@ public class CollisionOutcome {
         impulse = 0.0
         coefficient = 1.0
         edge = CONTACT
+        gone = NOBODY
         forgetSurfaces()
         this.rank = rank
         separationX = 0.0
@@ -71,6 +72,12 @@ public class CollisionOutcome {
     /** Where the two met: [CONTACT], or what happened at an edge, [IN], [OUT] or [BACK]. */
     internal var edge = CONTACT
 
+    /** The slot of the sphere that is no more, since the two merged; [NOBODY] where they did not. */
+    internal var gone = NOBODY
+
+    /** Whether the two have merged, so that one of them is no more. */
+    public val isMerger: Boolean get() = gone != NOBODY
+
     /** Whether this was no collision but an event at an edge of an interaction ([daphnis.core.potential.PairInteraction]). */
     public val isEdge: Boolean get() = edge != CONTACT
 
@@ -100,6 +107,8 @@ public class CollisionOutcome {
         internal set
 
     internal companion object {
+        const val NOBODY = -1
+
         /** Surfaces met. */
         const val CONTACT = 0
 

@@ -53,6 +53,9 @@ public class StepRows : GrowingTable() {
     internal var changing: IntArray = RowColumns.changing(tracks = false, optional = 0)
         private set
 
+    /** Whether collisions change masses too, as spheres merge; to be said before spheres are taken over. */
+    internal var changesMass: Boolean = false
+
     /** Partners of each sphere and the states of the pairs by slot, see [Bonds]; empty where pairs have none. */
     internal var bonds: Array<IntArray> = Bonds.NONE
         private set
@@ -136,6 +139,7 @@ public class StepRows : GrowingTable() {
         this.optional = optional
         reserveBonds(room)
         changing = RowColumns.changing(tracks, optional)
+        if (changesMass) changing += MASS
         this.carried = carried
     }
 
@@ -186,7 +190,10 @@ public class StepRows : GrowingTable() {
      */
     public fun take(rows: StepRows, slot: Int): Int {
         val k = append()
-        if (carried !== rows.carried) carry(rows.tracksLastCollision, rows.optional)
+        if (carried !== rows.carried || changesMass != rows.changesMass) {
+            changesMass = rows.changesMass
+            carry(rows.tracksLastCollision, rows.optional)
+        }
         resolution = rows.resolution
         rows.state.copyInto(state, k * STRIDE, slot * STRIDE, (slot + 1) * STRIDE)
         for (side in carried) sides[side][k] = rows.sides[side][slot]

@@ -6,6 +6,8 @@ import daphnis.core.collision.CollisionCounters
 import daphnis.core.collision.CollisionLaw
 import daphnis.core.collision.CollisionRecord
 import daphnis.core.collision.NoGuard
+import daphnis.core.merging.MergeRule
+import daphnis.core.merging.Merging
 import daphnis.core.population.Bonds
 import daphnis.core.population.Population
 import daphnis.core.potential.PairInteractions
@@ -30,6 +32,7 @@ import daphnis.core.surface.SurfaceContact
  * @param roughness what surfaces do to one another in a collision, in place of what [law] says; null for the law's
  * @param momentFactor moment of inertia of spheres over mass · radius²
  * @param interactions what spheres do to one another besides impacts; null for nothing
+ * @param mergeRule which impacts merge two spheres; null for none
  */
 public class CollisionForcing @JvmOverloads constructor(
     law: ContactLaw,
@@ -40,8 +43,10 @@ public class CollisionForcing @JvmOverloads constructor(
     roughness: Roughness? = null,
     internal val momentFactor: Double = SurfaceContact.SOLID,
     interactions: PairInteractions? = null,
+    mergeRule: MergeRule? = null,
 ) : AutoCloseable {
-    private var collisionLaw = CollisionLaw(law, guard, roughness, momentFactor, interactions = interactions)
+    private var collisionLaw =
+        CollisionLaw(law, guard, roughness, momentFactor, interactions = interactions, mergeRule = mergeRule)
     private var step: CollisionStep? = null
 
     /** See [daphnis.core.force.Drift.turning]; to be set before the first step. */
@@ -64,7 +69,7 @@ public class CollisionForcing @JvmOverloads constructor(
     private fun renewLaw() {
         val law = collisionLaw
         collisionLaw =
-            CollisionLaw(law.contactLaw, law.guard, null, momentFactor, turning, acceleration, law.interactions)
+            CollisionLaw(law.contactLaw, law.guard, null, momentFactor, turning, acceleration, law.interactions, law.mergeRule)
         step = null
     }
 
@@ -103,6 +108,7 @@ public class CollisionForcing @JvmOverloads constructor(
         step.record = record
         step.toCome = toCome
         engine.advance(step)
+        if (collisionLaw.merging != null) Merging.removeGone(population)
     }
 
     /** The states of pairs; null without interactions. */

@@ -2,6 +2,7 @@ package daphnis.core.engine
 
 import daphnis.core.collision.CollapseGuard
 import daphnis.core.collision.NoGuard
+import daphnis.core.merging.MergeRule
 import daphnis.core.potential.PairInteractions
 import daphnis.core.search.SearchStructure
 import daphnis.core.surface.ContactLaw
@@ -27,6 +28,7 @@ public class CollisionForcingBuilder internal constructor(private val law: Conta
     private var roughness: Roughness? = null
     private var momentFactor = SurfaceContact.SOLID
     private var interactions: PairInteractions? = null
+    private var merging: MergeRule? = null
 
     /** What ends inelastic collapse; nothing unless given. */
     public fun guard(guard: CollapseGuard): CollisionForcingBuilder = apply { this.guard = guard }
@@ -63,7 +65,10 @@ public class CollisionForcingBuilder internal constructor(private val law: Conta
     public fun interactions(interactions: PairInteractions): CollisionForcingBuilder =
         apply { this.interactions = interactions }
 
+    /** Which impacts merge two spheres; none unless given. */
+    public fun merging(rule: MergeRule): CollisionForcingBuilder = apply { merging = rule }
+
     /** The forcing; it is closed with the simulation. */
     public fun build(): CollisionForcing =
-        CollisionForcing(law, guard, makeEngine(), recordCollisions, search, roughness, momentFactor, interactions)
+        CollisionForcing(law, guard, makeEngine(), recordCollisions, search, roughness, momentFactor, interactions, merging)
 }

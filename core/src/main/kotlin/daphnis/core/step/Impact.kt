@@ -79,10 +79,11 @@ internal open class Impact(
      */
     fun process(time: Double, first: Int, second: Int, image: Int): End {
         val isWall = second < 0
+        var gone = NOBODY
         if (isWall) {
             bounce(time, first, second)
         } else {
-            collide(time, first, second, image)
+            gone = collide(time, first, second, image)
         }
         witness?.changed(rows, first, second, time)
         changed(first, second)
@@ -90,10 +91,12 @@ internal open class Impact(
         if (!isWall) schedule.removeAllOf(second)
         prepared.limits.checkProgress(rows, first, second, time)
         prepared.limits.checkWork(counted.collisions + counted.wallCollisions + counted.edgeEvents)
-        val isOutrun = prepared.isOutrun(rows, first) || !isWall && prepared.isOutrun(rows, second)
+        val isOutrun = first != gone && prepared.isOutrun(rows, first) ||
+            !isWall && second != gone && prepared.isOutrun(rows, second)
         if (isOutrun && !outrun(first, second)) return End.OUTRUN
         // The pair itself is searched once, from the first sphere; the second leaves it out.
-        val isDone = goOn(first, NOBODY) && (isWall || goOn(second, slotOf(first)))
+        if (gone == first) return if (goOn(second, NOBODY)) End.DONE else End.VOID
+        val isDone = goOn(first, NOBODY) && (isWall || second == gone || goOn(second, slotOf(first)))
         return if (isDone) End.DONE else End.VOID
     }
 
@@ -105,11 +108,17 @@ internal open class Impact(
         if (walls.areDriven) record?.add(time, wall, rows.id[first], outcome)
     }
 
-    private fun collide(time: Double, first: Int, second: Int, image: Int) {
-        if (!prepared.step.law.collide(rows, first, second, image, prepared.images, time, outcome)) return
-        if (!isCounted(first, second)) return
+    /** @return which of the two is no more */
+    private fun collide(time: Double, first: Int, second: Int, image: Int): Int {
+        if (!prepared.step.law.collide(rows, first, second, image, prepared.images, time, outcome)) return NOBODY
+        if (isCounted(first, second)) count(time, first, second)
+        return outcome.gone
+    }
+
+    private fun count(time: Double, first: Int, second: Int) {
         if (outcome.edge == CollisionOutcome.CONTACT) counted.collisions++ else counted.edgeEvents++
         if (outcome.guarded) counted.guardActivations++
+        if (outcome.isMerger) counted.mergers++
         record?.add(time, rows, first, second, outcome)
     }
 

@@ -5,6 +5,7 @@ import daphnis.core.boundary.prepare
 import daphnis.core.collision.StepRows
 import daphnis.core.collision.StepRows.Companion.STRIDE
 import daphnis.core.collision.contactTime
+import daphnis.core.merging.Merging
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.Bonds
@@ -72,14 +73,24 @@ public class PreparedStep @JvmOverloads constructor(sort: GridSort = GridSort.CO
         private set
 
     /** How much farther than contact a search has to look. */
-    private val swelling: Double get() = states?.let { it.reach * WIDER } ?: 1.0
+    internal val swelling: Double get() = states?.let { it.reach * WIDER } ?: if (merges) mergeRoom else 1.0
+
+    /** Whether spheres merge, and how much larger than it is each is looked for then. */
+    private val merges: Boolean get() = step.law.merging != null
+    private var mergeRoom = Merging.ROOM
     private val swollen = SwollenSpheres()
 
     /** How much farther apart than two spheres that touch those may be that come to an edge. */
     internal val beyondContact: Double get() = 2 * reach.largestRadius * (1 - 1 / swelling)
 
+    /** How far a sphere can go along x, y, z, and with it what it takes up more than at the start. */
+    internal val farthest: DoubleArray get() {
+        val more = if (mergeRoom == Merging.ROOM) 0.0 else (mergeRoom - Merging.ROOM) * reach.largestRadius
+        return if (more == 0.0) reach.bound else DoubleArray(reach.bound.size) { reach.bound[it] + more }
+    }
+
     /** [spheres] as a search has to see them. */
-    private fun seen(spheres: SphereColumns) = if (states == null) spheres else swollen.take(spheres, swelling)
+    private fun seen(spheres: SphereColumns) = if (swelling == 1.0) spheres else swollen.take(spheres, swelling)
 
     /**
      * The time at which the spheres in the slots [first] of [a] and [second] of [b] meet, or come to an edge of their
@@ -168,8 +179,10 @@ public class PreparedStep @JvmOverloads constructor(sort: GridSort = GridSort.CO
     public fun prepare(loop: RangeLoop = InlineLoop) {
         requireStage(Stage.MEASURED, "prepare() follows measure() or enlarge()")
         grid.build(seen(spheres), step.boundary, step.start, duration, reach.bound, loop, step.search, middle)
+        rows.changesMass = merges
         rows.load(spheres, grid.order, duration, step.law.guard.needsLastCollision, loop)
-        bounds.measure(grid, rows, duration, loop)
+        // They know where a sphere can be that goes straight, and not one that has merged.
+        if (merges) bounds.rest() else bounds.measure(grid, rows, duration, loop)
         limits.start(rows.size, step.start)
         version++
         stage = Stage.PREPARED
@@ -205,7 +218,15 @@ public class PreparedStep @JvmOverloads constructor(sort: GridSort = GridSort.CO
     public fun candidates(): Candidates = GridCandidates(this)
 
     /** Whether the sphere at [place] of [rows], if nothing more happens to it, ends the step beyond the bound. */
-    internal fun isOutrun(rows: StepRows, place: Int): Boolean = reach.isOutrun(rows, place, spheres, duration)
+    internal fun isOutrun(rows: StepRows, place: Int): Boolean =
+        if (merges && Merging.hasMerged(rows, place, spheres)) {
+            isMergedBeyond(rows, place)
+        } else {
+            reach.isOutrun(rows, place, spheres, duration)
+        }
+
+    private fun isMergedBeyond(rows: StepRows, place: Int) =
+        Merging.isBeyond(rows, place, spheres, reach.bound, mergeRoom, duration)
 
     /**
      * Enlarges the bound for the spheres at [first] and [second] (negative for none) of [rows], which went beyond it.
@@ -215,7 +236,12 @@ public class PreparedStep @JvmOverloads constructor(sort: GridSort = GridSort.CO
     public fun enlarge(rows: StepRows, first: Int, second: Int) {
         requireStage(Stage.PREPARED, "enlarge() follows prepare()")
         stage = Stage.UNMEASURED
-        reach.enlarge(rows, first, second, spheres, duration)
+        val both = listOf(first, second).filter { it >= 0 }
+        if (merges && both.any { Merging.hasMerged(rows, it, spheres) && isMergedBeyond(rows, it) }) {
+            mergeRoom *= Merging.MORE
+        } else {
+            reach.enlarge(rows, first, second, spheres, duration)
+        }
         stage = Stage.MEASURED
     }
 

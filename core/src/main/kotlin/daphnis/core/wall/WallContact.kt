@@ -66,6 +66,7 @@ public class WallContact {
      */
     public fun reflect(rows: StepRows, slot: Int, number: Int, time: Double, outcome: CollisionOutcome) {
         outcome.edge = CollisionOutcome.CONTACT
+        outcome.gone = CollisionOutcome.NOBODY
         rows.advance(slot, time)
         contacts[places[number]].reflect(rows, slot, time, outcome)
     }

@@ -55,6 +55,7 @@ class BruteForceEngine : CollisionEngine {
                 queue.removeAllOf(b)
                 if (step.law.collide(rows, a, b, queue.image, images, time, outcome)) {
                     if (outcome.isEdge) step.counters.edgeEvents++ else step.counters.collisions++
+                    if (outcome.isMerger) step.counters.mergers++
                     if (outcome.guarded) step.counters.guardActivations++
                     step.record?.add(time, rows, a, b, outcome)
                 }

@@ -29,6 +29,7 @@ import daphnis.core.initial.PlacementException
 import daphnis.core.initial.Positions
 import daphnis.core.initial.RandomPlacement
 import daphnis.core.initial.SeededRandom
+import daphnis.core.merging.MergeRule
 import daphnis.core.orbit.OrbitalFrequencies
 import daphnis.core.population.Population
 import daphnis.core.search.SearchStructure
@@ -79,6 +80,13 @@ class Draw(override val seed: Long) : Case {
     private val guard = guards[random.nextInt(if (filling > 0.05 || clumped) 2 else 3)]
 
     private val interactions = InteractionDraw(seed).of(population, boundary)
+
+    /** In some all spheres merge that meet, or those that meet slowly. */
+    private val mergeRule = when (seed % 6) {
+        2L -> MergeRule.always()
+        5L -> MergeRule.below(1.0)
+        else -> null
+    }.takeIf { interactions == null }
 
     private fun Population.fillingNow() = if (clumped) maxOf(filling, 0.2) else filling
 
@@ -173,7 +181,7 @@ class Draw(override val seed: Long) : Case {
 
     /** In some of the boxes that repeat spheres grow or shrink. */
     private fun around(): BoundaryConditions {
-        if (interactions != null) return boundary
+        if (interactions != null || mergeRule != null) return boundary
         val isWhole = boundary is Periodic && (0..2).all { boundary.hasImages(it) }
         if (!isWhole || seed % 4 == 0L) return boundary
         val most = if (filling < 0.2 && !clumped) 0.05 else 0.002
@@ -191,6 +199,7 @@ class Draw(override val seed: Long) : Case {
             search,
             momentFactor = surface.momentFactor,
             interactions = interactions,
+            mergeRule = mergeRule,
         ),
         FixedTimeStep(dt),
         forces(),
@@ -225,5 +234,5 @@ class Draw(override val seed: Long) : Case {
         "seed $seed: ${population.size} spheres, filling $filling${if (clumped) ", clumped" else ""}, " +
             "${around().javaClass.simpleName}${boundary.walls.surfaces.map {
                 ", $it"
-            }.joinToString("")}, dt $dt$surface${if (interactions != null) ", with steps" else ""}"
+            }.joinToString("")}, dt $dt$surface${if (interactions != null) ", with steps" else ""}${if (mergeRule != null) ", merging" else ""}"
 }

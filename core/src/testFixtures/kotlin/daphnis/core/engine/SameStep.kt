@@ -22,7 +22,7 @@ fun assertSameStep(serial: Simulation, other: Simulation, story: String) {
     val a = serial.collisions!!
     val b = other.collisions!!
     fun counts(f: CollisionForcing) =
-        with(f.counters) { listOf(collisions, wallCollisions, guardActivations, edgeEvents) }
+        with(f.counters) { listOf(collisions, wallCollisions, guardActivations, edgeEvents, mergers) }
     assertEquals(counts(a), counts(b)) { story }
     val r = a.record!!
     val s = b.record!!

@@ -36,7 +36,7 @@ internal class Brick(ahead: BrickAhead.Choice = BrickAhead.Choice.QUICKEST) {
         private set
 
     /** How far a sphere could go along x, y, z. */
-    val bound: DoubleArray get() = prepared.reach.bound
+    val bound: DoubleArray get() = prepared.farthest
 
     /** Steps that were taken in epochs, since the start. */
     val stepsAhead: Long get() = ahead.steps
@@ -51,8 +51,8 @@ internal class Brick(ahead: BrickAhead.Choice = BrickAhead.Choice.QUICKEST) {
      */
     fun solve(whole: PreparedStep, middle: DoubleArray, halt: Halt, isAgain: Boolean, gather: Gathering) {
         outrun = 0
-        // Epochs know contacts, and not the edges of interactions.
-        val mayLookAhead = !isAgain && whole.states == null
+        // Epochs know contacts of spheres that stay, and not the edges of interactions.
+        val mayLookAhead = !isAgain && whole.swelling == 1.0
         isAhead = mayLookAhead && ahead.solve(whole, middle, gather)
         if (isAhead) return
         ahead.drop()

@@ -42,6 +42,7 @@ internal class Attempts : GrowingTable() {
         marks[p + WALL_COLLISIONS] = counted.wallCollisions
         marks[p + GUARDED] = counted.guardActivations
         marks[p + EDGES] = counted.edgeEvents
+        marks[p + MERGERS] = counted.mergers
     }
 
     fun isAlive(attempt: Int): Boolean = alive[attempt]
@@ -70,6 +71,7 @@ internal class Attempts : GrowingTable() {
             counters.wallCollisions += counted(k, WALL_COLLISIONS)
             counters.guardActivations += counted(k, GUARDED)
             counters.edgeEvents += counted(k, EDGES)
+            counters.mergers += counted(k, MERGERS)
         }
     }
 
@@ -83,6 +85,7 @@ internal class Attempts : GrowingTable() {
         const val WALL_COLLISIONS = 3
         const val GUARDED = 4
         const val EDGES = 5
-        const val WIDTH = 6
+        const val MERGERS = 6
+        const val WIDTH = 7
     }
 }
