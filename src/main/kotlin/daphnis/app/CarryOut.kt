@@ -161,7 +161,8 @@ private fun report(summary: Summary, times: TimesInWords, units: UnitsOfDimensio
     fun say(format: String, vararg values: Any) = printLine(String.format(Locale.ROOT, format, *values))
     val end = times.text(summary.time)
     val edges = if (summary.edgeEvents > 0) ", ${counted(summary.edgeEvents, "event")} at edges" else ""
-    val collisions = counted(summary.collisions, "collision") + edges
+    val mergers = if (summary.mergers > 0) ", ${counted(summary.mergers, "merger")}" else ""
+    val collisions = counted(summary.collisions, "collision") + mergers + edges
     say("%s to time %s in %.1f s, %s", counted(summary.steps, "step"), end, summary.wallSeconds, collisions)
     val ofSpeeds = named(units, Dimension.SPEED_SQUARED)
     val ofEnergy = named(units, Dimension.ENERGY).ifEmpty { "in the scenario's units" }

@@ -69,7 +69,16 @@ public class CollisionForcing @JvmOverloads constructor(
     private fun renewLaw() {
         val law = collisionLaw
         collisionLaw =
-            CollisionLaw(law.contactLaw, law.guard, null, momentFactor, turning, acceleration, law.interactions, law.mergeRule)
+            CollisionLaw(
+                law.contactLaw,
+                law.guard,
+                null,
+                momentFactor,
+                turning,
+                acceleration,
+                law.interactions,
+                law.mergeRule,
+            )
         step = null
     }
 

@@ -24,6 +24,7 @@ import java.nio.file.Path
  * @property energy kinetic energy at the end
  * @property momentum Σ m v along x, y, z at the end
  * @property edgeEvents passages and reflections at edges of interactions, which are no collisions
+ * @property mergers collisions in which two spheres became one
  * @property from the state of another run from which it started; null when it did not
  */
 @OptIn(ExperimentalSerializationApi::class)
@@ -52,6 +53,7 @@ public class Summary @JvmOverloads constructor(
     public val jvm: String,
     public val from: String? = null,
     @EncodeDefault(EncodeDefault.Mode.NEVER) public val edgeEvents: Long = 0,
+    @EncodeDefault(EncodeDefault.Mode.NEVER) public val mergers: Long = 0,
 ) {
     internal fun bytes(): ByteArray = (JSON.encodeToString(serializer(), this) + "\n").toByteArray(Charsets.UTF_8)
 
@@ -117,6 +119,7 @@ public class Summary @JvmOverloads constructor(
                 jvm = "${System.getProperty("java.vm.name")} ${System.getProperty("java.runtime.version")}",
                 from = plan.scenario?.placement?.file?.origin,
                 edgeEvents = c.edgeEvents,
+                mergers = c.mergers,
             )
         }
     }

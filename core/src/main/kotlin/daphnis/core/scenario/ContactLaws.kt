@@ -1,6 +1,7 @@
 package daphnis.core.scenario
 
 import daphnis.core.input.ValueCheck
+import daphnis.core.merging.MergeRule
 import daphnis.core.potential.PairInteractions
 import daphnis.core.surface.ContactLaw
 import daphnis.core.surface.LawPlace
@@ -21,6 +22,17 @@ internal class ContactLaws(
 
     /** What spheres do to one another besides impacts; null where nothing. */
     val interactions: PairInteractions?
+
+    /** Which impacts merge spheres; null for none. */
+    val mergeRule: MergeRule? = scenario.merging?.let { spec ->
+        fun need(isMet: Boolean, what: String) = check.must("merging", isMet) { "needs $what" }
+        need(!scenario.space.isPlane, "spheres in three dimensions, and these are discs")
+        need(scenario.bodies.isEmpty(), "spheres without bodies")
+        need(scenario.interactions.isEmpty(), "spheres without interaction")
+        // What spins and orbits have together in a frame that turns is not kept by its axes alone.
+        need(scenario.frame == null || !areRough(scenario), "smooth spheres in a frame that turns, without roughness")
+        spec.rule("merging", scenario.gravitationalConstant, check)
+    }
 
     /** β; null where no spheres are rough. */
     val roughness: Roughness?
@@ -60,6 +72,9 @@ internal class ContactLaws(
             else -> surface
         }
     }
+
+    private fun areRough(scenario: Scenario) =
+        scenario.roughness != null || scenario.contacts.any { it.roughness != null }
 
     private fun law(
         key: String,

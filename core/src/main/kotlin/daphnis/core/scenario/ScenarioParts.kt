@@ -5,6 +5,7 @@ import daphnis.core.force.ForceSpec
 import daphnis.core.initial.SpinsSpec
 import daphnis.core.initial.VelocitiesSpec
 import daphnis.core.input.UnitsSpec
+import daphnis.core.merging.MergingSpec
 import daphnis.core.potential.InteractionSpec
 import daphnis.core.search.SearchStructure
 import daphnis.core.space.Space
@@ -31,6 +32,9 @@ public interface ScenarioParts {
 
     /** What spheres do to one another besides impacts; null for nothing. */
     public val interaction: InteractionSpec?
+
+    /** Which impacts merge spheres; null for none. */
+    public val merging: MergingSpec?
 
     /** Spins at the start; null for none, or those of a file. */
     public val spins: SpinsSpec?
@@ -100,7 +104,8 @@ public interface ScenarioParts {
      */
     public val restitutionAtRest: Double? get() {
         val isAtRest = boundary.repeatsAtRest && frame == null && growth == null
-        if (!isAtRest || forces.isNotEmpty() || bodies.isNotEmpty() || interactions.isNotEmpty()) return null
+        if (!isAtRest || forces.isNotEmpty() || bodies.isNotEmpty()) return null
+        if (interactions.isNotEmpty() || merging != null) return null
         val coefficients = impacts.map { impact ->
             impact.restitution!!.constant?.takeIf { impact.roughness?.isSmooth != false }
         }

@@ -19,6 +19,7 @@ import daphnis.core.input.InputException
 import daphnis.core.input.Quantities
 import daphnis.core.input.ValueCheck
 import daphnis.core.measure
+import daphnis.core.merging.MergeRule
 import daphnis.core.orbit.OrbitalFrequencies
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.ThreadHandler
@@ -53,6 +54,8 @@ public class ScenarioSetup private constructor(
     private val places: List<ForcePlace>,
     /** What spheres do to one another besides impacts; null for nothing. */
     public val interactions: PairInteractions?,
+    /** Which impacts merge spheres; null for none. */
+    public val mergeRule: MergeRule?,
 ) {
     /** Angular speed of the frame in radians per unit of time; null without a frame. */
     public val angularSpeed: Double? get() = frequencies?.omega
@@ -84,7 +87,9 @@ public class ScenarioSetup private constructor(
         roughness: Roughness? = this.roughness,
     ): CollisionForcing {
         val records = recordCollisions || !boundary.walls.areKnownAhead
-        return CollisionForcing(law, guard, engine, records, scenario.search, roughness, momentFactor, interactions)
+        return CollisionForcing(
+            law, guard, engine, records, scenario.search, roughness, momentFactor, interactions, mergeRule,
+        )
     }
 
     /** Length of the first step of a run. */
@@ -184,7 +189,7 @@ public class ScenarioSetup private constructor(
             return ScenarioSetup(
                 resolved, population, boundary, laws.restitution, guard,
                 forceSetup.forces + listOfNotNull(laws.interactions?.energy()), timeStep,
-                around.frequencies, initial.notices, laws.roughness, forceSetup.places, laws.interactions,
+                around.frequencies, initial.notices, laws.roughness, forceSetup.places, laws.interactions, laws.mergeRule,
             )
         }
 

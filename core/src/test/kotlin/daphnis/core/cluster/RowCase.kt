@@ -143,6 +143,13 @@ enum class RowCase(text: String, internal val check: (List<List<String>>) -> Uni
         "velocities": {"type": "gaussian", "sigma": 1.5}, $GAS""",
         { rows -> assertEquals(rows.size - 1, rows.column("potential_energy").distinct().size) },
     ),
+    MERGING(
+        """"until": 0.5, "box": {"lengths": [9, 9, 9]}, "boundary": {"type": "periodic"},
+        "particles": {"count": 300, "sizes": {"type": "equal", "radius": 0.3}, "mass": 1.0},
+        "velocities": {"type": "gaussian", "sigma": 2.0}, "roughness": {"type": "constant", "coefficient": 0.5},
+        "merging": {"type": "always"}, $GAS""",
+        { rows -> assertEquals(rows.size - 1, rows.column("particles").distinct().size) },
+    ),
     PISTONS(
         """"until": 0.5, "box": {"lengths": [9, 9, 9]}, "boundary": {"type": "walls", "faces": {
         "lowerZ": {"motion": {"type": "piston", "mass": 50}},

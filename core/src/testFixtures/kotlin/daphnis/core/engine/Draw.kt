@@ -234,5 +234,7 @@ class Draw(override val seed: Long) : Case {
         "seed $seed: ${population.size} spheres, filling $filling${if (clumped) ", clumped" else ""}, " +
             "${around().javaClass.simpleName}${boundary.walls.surfaces.map {
                 ", $it"
-            }.joinToString("")}, dt $dt$surface${if (interactions != null) ", with steps" else ""}${if (mergeRule != null) ", merging" else ""}"
+            }.joinToString(
+                "",
+            )}, dt $dt$surface${if (interactions != null) ", with steps" else ""}${if (mergeRule != null) ", merging" else ""}"
 }

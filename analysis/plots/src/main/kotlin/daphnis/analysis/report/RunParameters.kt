@@ -83,12 +83,16 @@ internal class RunParameters(private val input: AnalysisInput, private val last:
 
     private fun summary(summary: Summary) = listOf(
         "steps" to "${summary.steps}" + end(summary),
-        "collisions" to "${summary.collisions}" + guarded(summary.guardActivations) + atEdges(summary.edgeEvents),
+        "collisions" to
+            "${summary.collisions}" + guarded(summary.guardActivations) + merged(summary.mergers) +
+            atEdges(summary.edgeEvents),
         "deepest overlap" to overlap(summary.maxOverlap),
         "engine" to "${summary.engine}, ${count(summary.threads, "thread")}, ${short(summary.wallSeconds)} s",
         "state digest" to summary.stateDigest,
         "version" to "daphnis ${summary.version}, ${summary.jvm}",
     )
+
+    private fun merged(mergers: Long) = if (mergers > 0) ", $mergers of them mergers" else ""
 
     private fun atEdges(events: Long) = if (events > 0) "; $events events at edges of interactions" else ""
 
