@@ -69,6 +69,7 @@ public class CollisionForcingBuilder internal constructor(private val law: Conta
     public fun merging(rule: MergeRule): CollisionForcingBuilder = apply { merging = rule }
 
     /** The forcing; it is closed with the simulation. */
-    public fun build(): CollisionForcing =
-        CollisionForcing(law, guard, makeEngine(), recordCollisions, search, roughness, momentFactor, interactions, merging)
+    public fun build(): CollisionForcing = CollisionForcing(
+        law, guard, makeEngine(), recordCollisions, search, roughness, momentFactor, interactions, merging,
+    )
 }

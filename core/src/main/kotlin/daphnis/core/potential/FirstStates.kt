@@ -20,7 +20,7 @@ internal fun PairStates.bind(population: Population, boundary: BoundaryCondition
             val first = materialOf(population, k)
             val second = materialOf(population, j)
             val state = firstState(first, second, radius[k] + radius[j], dx * dx + dy * dy + dz * dz)
-            if (state != Bonds.UNBOUND) {
+            if (state != Bonds.UNBOUND && !areTied(population.id[k], population.id[j])) {
                 bonds[k] = Bonds.with(bonds[k], population.id[j], state)
                 bonds[j] = Bonds.with(bonds[j], population.id[k], state)
             }

@@ -17,7 +17,8 @@ public abstract class PairInteraction internal constructor() {
     public val reach: Double get() = states.maxOf { maxOf(it.inner?.ratio ?: 0.0, it.outer?.ratio ?: 0.0) }
 
     /** Whether spheres cannot pass through one another. */
-    public val isHard: Boolean get() = states.any { it.inner?.isContact == true }
+    public val isHard: Boolean
+        get() = states.any { it.inner?.isContact == true || it.inner?.cost == Double.POSITIVE_INFINITY }
 }
 
 /**

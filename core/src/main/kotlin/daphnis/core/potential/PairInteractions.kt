@@ -10,7 +10,11 @@ import daphnis.core.surface.PairTable
  * PairInteractions all = new PairInteractions(null).between(0, 1, SteppedPotential.squareWell(1.5, 1.0));
  * ```
  */
-public class PairInteractions private constructor(private val table: PairTable<PairInteraction?>) {
+public class PairInteractions private constructor(
+    private val table: PairTable<PairInteraction?>,
+    /** Chains, whose neighbours have their tether in place of an interaction; null where there are none. */
+    public val chains: Chains? = null,
+) {
     /** Every pair has the interaction of all [others]. */
     public constructor(others: PairInteraction?) : this(PairTable(others))
 
@@ -19,7 +23,10 @@ public class PairInteractions private constructor(private val table: PairTable<P
 
     /** The same, but [interaction] for spheres of the materials of the numbers [first] and [second]. */
     public fun between(first: Int, second: Int, interaction: PairInteraction?): PairInteractions =
-        PairInteractions(table.with(first, second, interaction))
+        PairInteractions(table.with(first, second, interaction), chains)
+
+    /** The same, with [chains]. */
+    public fun with(chains: Chains): PairInteractions = PairInteractions(table, chains)
 
     /** The largest distance of an edge over the sum of the radii. */
     internal val reach: Double get() = PairStates(this).reach
@@ -30,8 +37,8 @@ public class PairInteractions private constructor(private val table: PairTable<P
     /** The potential energy as a force, which changes no velocities. */
     internal fun energy(): PairEnergy = PairEnergy(PairStates(this))
 
-    /** All interactions, each once, that of all [others] first. */
-    internal val all: List<PairInteraction?> = table.values().distinct()
+    /** All interactions, each once, that of all [others] first and the tether of [chains] last. */
+    internal val all: List<PairInteraction?> = (table.values() + listOfNotNull(chains?.tether)).distinct()
 
     /** The place in [all] of that of the materials [first] and [second]. */
     internal fun place(first: Int, second: Int): Int = all.indexOf(table[first, second])

@@ -52,6 +52,11 @@ internal class PairStates(private val interactions: PairInteractions) {
     private val materials = interactions.materials + 1
     private val places = IntArray(materials * materials) { interactions.place(it / materials, it % materials) }
 
+    private val chains = interactions.chains
+
+    /** The state of neighbours in a chain. */
+    private val tied = kinds.indexOf(chains?.tether)
+
     /** The largest distance of an edge over the sum of the radii. */
     val reach: Double = max(1.0, kinds.maxOf { it?.reach ?: 1.0 })
 
@@ -60,6 +65,7 @@ internal class PairStates(private val interactions: PairInteractions) {
 
     /** The number of the state of the pair in the slots [first] and [second], of [a] and [b]. */
     fun of(a: StepRows, first: Int, b: StepRows, second: Int): Int {
+        if (chains != null && chains.areTied(a.id[first], b.id[second])) return tied
         val state = Bonds.state(a.bonds[first], b.id[second])
         return if (state != Bonds.UNBOUND) state else far(material(a, first), material(b, second))
     }
@@ -149,6 +155,9 @@ internal class PairStates(private val interactions: PairInteractions) {
         rows.bonds[first] = Bonds.with(rows.bonds[first], rows.id[second], kept)
         rows.bonds[second] = Bonds.with(rows.bonds[second], rows.id[first], kept)
     }
+
+    /** Whether the spheres with these ids are neighbours in a chain. */
+    fun areTied(first: Int, second: Int): Boolean = chains?.areTied(first, second) ?: false
 
     /**
      * The state, as [Bonds] have it, of two spheres of the materials [first] and [second] of whose past nothing is known,

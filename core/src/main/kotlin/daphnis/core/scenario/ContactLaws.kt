@@ -28,7 +28,7 @@ internal class ContactLaws(
         fun need(isMet: Boolean, what: String) = check.must("merging", isMet) { "needs $what" }
         need(!scenario.space.isPlane, "spheres in three dimensions, and these are discs")
         need(scenario.bodies.isEmpty(), "spheres without bodies")
-        need(scenario.interactions.isEmpty(), "spheres without interaction")
+        need(scenario.interactions.isEmpty() && scenario.bonds == null, "spheres without interaction and bonds")
         // What spins and orbits have together in a frame that turns is not kept by its axes alone.
         need(scenario.frame == null || !areRough(scenario), "smooth spheres in a frame that turns, without roughness")
         spec.rule("merging", scenario.gravitationalConstant, check)
@@ -65,7 +65,8 @@ internal class ContactLaws(
             }
         }
         restitution = if (scenario.contacts.any { it.restitution != null }) laws else all
-        interactions = pairs
+        val chains = scenario.bonds?.chains(check)
+        interactions = if (chains == null) pairs else (pairs ?: PairInteractions(null)).with(chains)
         roughness = when {
             !isRough -> null
             scenario.contacts.any { it.roughness != null } -> surfaces

@@ -73,6 +73,7 @@ internal class GrowthSetup(private val scenario: Scenario, private val check: Va
         val isSmooth = scenario.roughness == null && scenario.contacts.all { it.roughness == null }
         need(isSmooth, "smooth spheres, without roughness")
         need(scenario.interactions.isEmpty(), "spheres without interaction")
+        need(scenario.bonds == null, "spheres that are not bound, without bonds")
         need(scenario.merging == null, "spheres that do not merge, without merging")
         return if (spec.rate == 0.0) boundary else GrowingSpheres(box, spec.rate, since, spec.thermostat)
     }

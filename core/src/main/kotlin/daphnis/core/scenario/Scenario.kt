@@ -11,6 +11,7 @@ import daphnis.core.input.Planet
 import daphnis.core.input.UnitsSpec
 import daphnis.core.merging.MergingSpec
 import daphnis.core.parallel.ThreadHandler
+import daphnis.core.potential.BondsSpec
 import daphnis.core.potential.InteractionSpec
 import daphnis.core.search.SearchStructure
 import daphnis.core.space.Space
@@ -63,6 +64,7 @@ public data class Scenario @JvmOverloads constructor(
     @EncodeDefault(EncodeDefault.Mode.NEVER) override val dimensions: Int = Space.VOLUME.dimensions,
     @EncodeDefault(EncodeDefault.Mode.NEVER) override val interaction: InteractionSpec? = null,
     @EncodeDefault(EncodeDefault.Mode.NEVER) override val merging: MergingSpec? = null,
+    @EncodeDefault(EncodeDefault.Mode.NEVER) override val bonds: BondsSpec? = null,
     /** From a [ResolvedScenario] that was written to a file; a new initial state has its own. */
     internal val firstBody: Int? = null,
 ) : ScenarioParts {

@@ -6,6 +6,7 @@ import daphnis.core.initial.SpinsSpec
 import daphnis.core.initial.VelocitiesSpec
 import daphnis.core.input.UnitsSpec
 import daphnis.core.merging.MergingSpec
+import daphnis.core.potential.BondsSpec
 import daphnis.core.potential.InteractionSpec
 import daphnis.core.search.SearchStructure
 import daphnis.core.space.Space
@@ -32,6 +33,9 @@ public interface ScenarioParts {
 
     /** What spheres do to one another besides impacts; null for nothing. */
     public val interaction: InteractionSpec?
+
+    /** Chains of spheres that are bound for good; null for none. */
+    public val bonds: BondsSpec?
 
     /** Which impacts merge spheres; null for none. */
     public val merging: MergingSpec?
@@ -105,7 +109,7 @@ public interface ScenarioParts {
     public val restitutionAtRest: Double? get() {
         val isAtRest = boundary.repeatsAtRest && frame == null && growth == null
         if (!isAtRest || forces.isNotEmpty() || bodies.isNotEmpty()) return null
-        if (interactions.isNotEmpty() || merging != null) return null
+        if (interactions.isNotEmpty() || merging != null || bonds != null) return null
         val coefficients = impacts.map { impact ->
             impact.restitution!!.constant?.takeIf { impact.roughness?.isSmooth != false }
         }

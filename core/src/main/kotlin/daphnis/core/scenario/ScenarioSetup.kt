@@ -189,7 +189,8 @@ public class ScenarioSetup private constructor(
             return ScenarioSetup(
                 resolved, population, boundary, laws.restitution, guard,
                 forceSetup.forces + listOfNotNull(laws.interactions?.energy()), timeStep,
-                around.frequencies, initial.notices, laws.roughness, forceSetup.places, laws.interactions, laws.mergeRule,
+                around.frequencies, initial.notices, laws.roughness, forceSetup.places,
+                laws.interactions, laws.mergeRule,
             )
         }
 

@@ -4,6 +4,7 @@ import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
 import daphnis.core.compression.GrownPlacement
 import daphnis.core.compression.GrownSpheres
+import daphnis.core.initial.ChainPlacement
 import daphnis.core.initial.Crowding
 import daphnis.core.initial.Lattice
 import daphnis.core.initial.LatticePlacement
@@ -54,6 +55,10 @@ public class SpheresToPlace internal constructor(
         if (!isPlaced) {
             Crowding.check(radii, room, walled)
             return grown.middle(radii.size)
+        }
+        scenario.bonds?.let { bonds ->
+            refuseObstacles()
+            return ChainPlacement(bonds.length, bonds.middle).place(radii, room, walled, random())
         }
         val placement = RandomPlacement(obstacles = bodies.obstacles, threads = scenario.engine.threadsAtStart)
         return placement.within(boundary.walls.surfaces, scenario.startTime).place(radii, room, walled, random())

@@ -5,6 +5,7 @@ import daphnis.core.TimeStep
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.ContactFaces
 import daphnis.core.boundary.ShearedPeriodic
+import daphnis.core.boundary.prepare
 import daphnis.core.boundary.roomAt
 import daphnis.core.force.ForcePlace
 import daphnis.core.input.ValueCheck
@@ -12,7 +13,9 @@ import daphnis.core.population.Population
 import daphnis.core.potential.PairInteractions
 import daphnis.core.search.Overlap
 import daphnis.core.search.Reach
+import daphnis.core.space.Images
 import kotlin.math.abs
+import kotlin.math.sqrt
 
 /**
  * Checks that a population can start in its box: all spheres are inside, the box is wide enough for its images, and no
@@ -77,6 +80,7 @@ internal class StartCheck(
             val duration = timeStep.next(population)
             scenario.forces.forEachIndexed { k, force -> force.checkStart(places[k], population, duration) }
         }
+        if (isPlaced) checkBonds()
         if (!isPlaced || interactions?.areHard == false) return
         computable("velocities") { Reach().measure(population, boundary, timeStep.next(population)) }
         val overlap = computable("box") {
@@ -142,6 +146,29 @@ internal class StartCheck(
         check.that(key, length, length > 2 * (2 * largest * reach) * (1 + TOLERANCE)) {
             "must exceed twice the distance up to which the largest spheres interact, ${2 * largest * reach}, " +
                 "or two images would be within reach of one sphere"
+        }
+    }
+
+    /** Neighbours in chains are as far apart as their tether lets them be. */
+    private fun checkBonds() {
+        val chains = interactions?.chains ?: return
+        val p = population
+        check.must("bonds", scenario.bodies.isEmpty()) { "need spheres without bodies" }
+        check.must("bonds.length", p.size % chains.length == 0) {
+            "is ${chains.length}, and ${p.size} spheres make no whole number of chains"
+        }
+        val images = Images().also { it.prepare(boundary, scenario.startTime) }
+        for (place in 0 until p.places) {
+            val k = p.indexAt(place)
+            val j = if (k < 0) -1 else p.indexOf(p.id[k] + 1)
+            if (j < 0 || !chains.areTied(p.id[k], p.id[j])) continue
+            val d = DoubleArray(3) { axis -> p.position(axis)[j] - p.position(axis)[k] }
+            images.toNearest(d)
+            val ratio = sqrt(d.sumOf { it * it }) / (p.radius[k] + p.radius[j])
+            check.must(placedBy(k), ratio in chains.tether.least * (1 - TOLERANCE)..chains.tether.greatest) {
+                "puts particles ${p.id[k]} and ${p.id[j]} of a chain $ratio sums of radii apart; bonds has them " +
+                    "${chains.tether.least} to ${chains.tether.greatest} apart"
+            }
         }
     }
 

@@ -143,6 +143,12 @@ enum class RowCase(text: String, internal val check: (List<List<String>>) -> Uni
         "velocities": {"type": "gaussian", "sigma": 1.5}, $GAS""",
         { rows -> assertEquals(rows.size - 1, rows.column("potential_energy").distinct().size) },
     ),
+    CHAINED(
+        """"until": 0.5, "box": {"lengths": [9, 9, 9]}, "boundary": {"type": "periodic"},
+        "particles": {"count": 300, "sizes": {"type": "equal", "radius": 0.3}, "mass": 1.0},
+        "bonds": {"length": 4, "greatest": 1.2}, "velocities": {"type": "gaussian", "sigma": 2.0}, $GAS""",
+        { rows -> assertEquals(rows.size - 1, rows.column("edge_events").distinct().size) },
+    ),
     MERGING(
         """"until": 0.5, "box": {"lengths": [9, 9, 9]}, "boundary": {"type": "periodic"},
         "particles": {"count": 300, "sizes": {"type": "equal", "radius": 0.3}, "mass": 1.0},
