@@ -125,6 +125,9 @@ internal class Merging(private val rule: MergeRule, private val momentFactor: Do
         /** By how much more, where that was too little. */
         const val MORE: Double = 1.3
 
+        /** What is left of more room after each step. */
+        const val LESS: Double = 0.98
+
         /** Whether the sphere at [place] of [rows] is one of several that have merged in this step. */
         fun hasMerged(rows: StepRows, place: Int, spheres: SphereColumns): Boolean =
             rows.state[place * STRIDE + RADIUS] != spheres.radius[rows.origin[place]]

@@ -170,7 +170,7 @@ public class PreparedStep @JvmOverloads constructor(sort: GridSort = GridSort.CO
         this.middle = middle
         duration = step.duration
         states = step.law.edges?.states
-        grid.swelling = swelling
+        mergeRoom = maxOf(Merging.ROOM, mergeRoom * Merging.LESS)
         walls.prepare(step.boundary.walls, step.law, step.start, step.duration)
     }
 
@@ -178,6 +178,7 @@ public class PreparedStep @JvmOverloads constructor(sort: GridSort = GridSort.CO
     @JvmOverloads
     public fun prepare(loop: RangeLoop = InlineLoop) {
         requireStage(Stage.MEASURED, "prepare() follows measure() or enlarge()")
+        grid.swelling = swelling
         grid.build(seen(spheres), step.boundary, step.start, duration, reach.bound, loop, step.search, middle)
         rows.changesMass = merges
         rows.load(spheres, grid.order, duration, step.law.guard.needsLastCollision, loop)
