@@ -274,10 +274,7 @@ public class Population internal constructor(
         crossings.commit()
     }
 
-    /**
-     * Restores everything as it was at [beginStep], except for what was written to the arrays of that moment. Cannot
-     * fail.
-     */
+    /** Restores everything as it was at [beginStep], but for what was written to arrays of that moment. Cannot fail. */
     internal fun takeStepBack() {
         if (!sets.takeBack()) return
         indexIsCurrent = false

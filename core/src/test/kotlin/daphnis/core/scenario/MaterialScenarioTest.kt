@@ -233,7 +233,7 @@ class MaterialScenarioTest {
             """contacts=[$PAIR, {"between": ["rock", "ice"], "roughness": $ROUGH}]""" to
                 "contacts[1].between: names rock, ice a second time",
             """contacts=[{"between": ["ice", "ice"]}]""" to
-                "contacts[0]: says nothing; give restitution, roughness, or both",
+                "contacts[0]: says nothing; give restitution, roughness, interaction, or several",
             """contacts=[{"between": ["ice", "ice"], "roughness": {"type": "smooth", "momentFactor": 0.5}}]""" to
                 "contacts[0].roughness.momentFactor: is that of all spheres",
             """contacts=[{"between": ["ice", "ice"], "roughness": {"type": "constant", "coefficient": 2}}]""" to
