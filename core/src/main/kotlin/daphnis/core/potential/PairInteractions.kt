@@ -21,6 +21,9 @@ public class PairInteractions private constructor(private val table: PairTable<P
     public fun between(first: Int, second: Int, interaction: PairInteraction?): PairInteractions =
         PairInteractions(table.with(first, second, interaction))
 
+    /** That of spheres of the materials of the numbers [first] and [second]; null where there are only impacts. */
+    public operator fun get(first: Int, second: Int): PairInteraction? = table[first, second]
+
     /** The largest distance of an edge over the sum of the radii. */
     internal val reach: Double get() = PairStates(this).reach
 
