@@ -136,6 +136,7 @@ def analyze(
     groups: int = 0,
     elevation: float = 28.0,
     azimuth: float = 0.0,
+    cluster_ratio: float | None = None,
     frames: int = 40,
     elevations: Sequence[float] = (),
     azimuths: int = 12,
@@ -157,6 +158,8 @@ def analyze(
         groups: groups of equal count in each; 0 as for `slabs`.
         elevation: of the rays of the occultation above the x-y plane, in degrees, in 0.1..90.
         azimuth: direction in which they climb, from x toward y, in degrees.
+        cluster_ratio: spheres up to so many sums of their radii apart are in one cluster, in 1..100; without it those
+            that attract each other.
         frames: states that are averaged at most.
         elevations: of a grid of lines of sight along which the transmission is computed, in degrees; none for no grid.
         azimuths: of this grid, so many, evenly over half a turn.
@@ -195,7 +198,8 @@ def analyze(
         begin = None if from_ is None else java("java.lang.Double")(from_)
         light = _light(elevations, azimuths, footprint, scan_path, photons, observed)
         kind = java("daphnis.analysis.report.AnalysisOptions")
-        options = kind(begin, slabs, groups, elevation, frames, azimuth, light)
+        near = None if cluster_ratio is None else java("java.lang.Double")(cluster_ratio)
+        options = kind(begin, slabs, groups, elevation, frames, azimuth, light, near)
         java("daphnis.analysis.report.Analysis")(source, options).write(java_path(directory))
     notices = [str(notice) for notice in source.getNotices()]
     noted(notices)

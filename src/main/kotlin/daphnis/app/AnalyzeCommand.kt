@@ -67,6 +67,10 @@ class AnalyzeCommand : CliktCommand(name = "analyze") {
         help = "direction in which these rays climb, from x toward y, degrees (default 0)",
     ).double().default(0.0)
     private val occultation by OccultationFlags()
+    private val clusterRatio by option(
+        "--cluster-ratio",
+        help = "spheres up to so many sums of radii apart are in one cluster, 1..100 (default: where they attract)",
+    ).double()
     private val frames by option("--frames", help = "the most states that are averaged (default 40)").int().default(40)
     private val out by option(
         "--out",
@@ -97,8 +101,9 @@ class AnalyzeCommand : CliktCommand(name = "analyze") {
         val directory =
             out?.let { pathOf(it, "--out") }
                 ?: if (Files.isRegularFile(path)) path.resolveSibling("${path.fileName}-analysis") else path
-        val analysis =
-            Analysis(input, AnalysisOptions(from, slabs ?: 0, groups ?: 0, elevation, frames, azimuth, light))
+        val options =
+            AnalysisOptions(from, slabs ?: 0, groups ?: 0, elevation, frames, azimuth, light, clusterRatio)
+        val analysis = Analysis(input, options)
         val progress = if (quiet) AnalysisProgress { _, _, _ -> } else ShownProgress()
         LastWords { "analyze was interrupted; nothing was written to $directory" }.use {
             writingLater(directory) { analysis.write(directory, progress) }

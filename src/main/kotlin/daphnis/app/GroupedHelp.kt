@@ -56,6 +56,7 @@ internal class GroupedHelp(context: Context, private val headings: Map<String, L
                     "--quiet",
                 ),
                 "Streamlines" to listOf("--slabs", "--groups"),
+                "Clusters" to listOf("--cluster-ratio"),
                 "Occultation" to listOf(
                     "--elevation",
                     "--azimuth",

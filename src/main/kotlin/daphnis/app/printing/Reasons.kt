@@ -63,7 +63,12 @@ internal fun noticeInFlags(notice: String): String {
 }
 
 /** Arguments whose flag has another name. */
-private val FLAGS = mapOf("settings" to "--set", "timeStep" to "--time-step", "scanPath" to "--scan-path")
+private val FLAGS = mapOf(
+    "settings" to "--set",
+    "timeStep" to "--time-step",
+    "scanPath" to "--scan-path",
+    "clusterRatio" to "--cluster-ratio",
+)
 
 private fun words(e: Throwable) = e.javaClass.simpleName + e.message?.let { ": $it" }.orEmpty()
 

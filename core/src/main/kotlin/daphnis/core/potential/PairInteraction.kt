@@ -16,6 +16,10 @@ public abstract class PairInteraction internal constructor() {
     /** The largest distance of an edge. */
     public val reach: Double get() = states.maxOf { maxOf(it.inner?.ratio ?: 0.0, it.outer?.ratio ?: 0.0) }
 
+    /** The largest distance of an edge which takes kinetic energy to leave; 0 where the two do not attract each other. */
+    public val attractiveReach: Double
+        get() = states.maxOf { state -> state.outer?.takeIf { it.cost > 0 }?.ratio ?: 0.0 }
+
     /** Whether spheres cannot pass through one another. */
     public val isHard: Boolean
         get() = states.any { it.inner?.isContact == true || it.inner?.cost == Double.POSITIVE_INFINITY }

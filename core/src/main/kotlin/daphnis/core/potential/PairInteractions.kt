@@ -28,6 +28,9 @@ public class PairInteractions private constructor(
     /** The same, with [chains]. */
     public fun with(chains: Chains): PairInteractions = PairInteractions(table, chains)
 
+    /** That of spheres of the materials of the numbers [first] and [second]; null where there are only impacts. */
+    public operator fun get(first: Int, second: Int): PairInteraction? = table[first, second]
+
     /** The largest distance of an edge over the sum of the radii. */
     internal val reach: Double get() = PairStates(this).reach
 

@@ -1,5 +1,7 @@
 package daphnis.analysis.report
 
+import daphnis.core.input.InputException
+
 /**
  * What an analysis is asked for.
  *
@@ -10,6 +12,9 @@ package daphnis.analysis.report
  * @property frames states that are averaged at most, evenly spread
  * @property azimuth direction in which the rays climb, from x toward y, in degrees
  * @property occultation what else is computed of the light through the patch
+ * @property clusterRatio spheres up to so many sums of their radii apart are in one cluster, in 1..100; null for those
+ *   that attract each other, and no clusters of others
+ * @throws InputException for a [clusterRatio] that is not in these bounds
  */
 public class AnalysisOptions @JvmOverloads constructor(
     public val from: Double? = null,
@@ -19,7 +24,18 @@ public class AnalysisOptions @JvmOverloads constructor(
     public val frames: Int = 40,
     public val azimuth: Double = 0.0,
     public val occultation: OccultationOptions = OccultationOptions(),
-)
+    public val clusterRatio: Double? = null,
+) {
+    init {
+        if (clusterRatio != null && clusterRatio !in 1.0..FARTHEST) {
+            val right = "it must be in 1..${FARTHEST.toInt()} sums of radii"
+            throw InputException("clusterRatio", null, "is $clusterRatio; $right", isArgument = true)
+        }
+    }
+}
+
+/** The largest ratio that asks for clusters, as of an interaction. */
+private const val FARTHEST = 100.0
 
 /** Told how far a long analysis has come. */
 public fun interface AnalysisProgress {

@@ -1,8 +1,6 @@
 package daphnis.analysis.report
 
 import daphnis.analysis.correlation.VelocitySpectra
-import daphnis.analysis.insitu.State
-import daphnis.analysis.neighbour.Clusters
 import daphnis.analysis.plot.Chart
 import daphnis.analysis.plot.Curve
 import daphnis.analysis.table.Column
@@ -10,22 +8,12 @@ import daphnis.analysis.table.Table
 import daphnis.analysis.table.UnitNames
 import daphnis.analysis.theory.ShearInstability
 
-/** Vortices and clusters of a gas that cools by itself: spectra of the last state, and clusters over time. */
+/** Vortices of a gas that cools by itself: spectra of the last state. */
 internal class CoolingSection(private val study: Study) : Section {
     private val last = study.last
-    private val gap = GAP * 2 * study.bulk.meanRadius
-    private val times = ArrayList<Double>()
-    private val sizes = ArrayList<Double>()
-    private val largest = ArrayList<Double>()
 
-    override val heading = "Vortices and clusters"
-    override val over =
-        "Spectra are of the last state, time ${study.time(last.time)}. Clusters are of the averaged states: " +
-            "${study.bodies} whose surfaces are up to ${UnitNames.amount(
-                ReportText.short(gap),
-                study.units.length,
-            )} apart, " +
-            "a tenth of the mean diameter."
+    override val heading = "Vortices"
+    override val over = study.overLast
     override val applies = !study.isRing &&
         !study.isGrowing &&
         study.input.hasVelocities &&
@@ -33,18 +21,7 @@ internal class CoolingSection(private val study: Study) : Section {
         FreeCooling.isSeen(study.input)
     override val leftOut = study.tooFew(FEWEST)
 
-    override fun add(state: State) {
-        if (leftOut != null) return
-        val found = Clusters.byGap(state, gap)
-        times += state.time / study.scale.time
-        sizes += found.meanSize
-        largest += found.sizes[0].toDouble() / found.particles
-    }
-
-    override fun write(page: ReportPage) {
-        spectra(page)
-        clusters(page)
-    }
+    override fun write(page: ReportPage) = spectra(page)
 
     private fun spectra(page: ReportPage) {
         val longest = (0 until last.dimensions).maxOf { last.boundary.box.length(it) }
@@ -94,47 +71,7 @@ internal class CoolingSection(private val study: Study) : Section {
             ShearInstability.criticalLength(restitution, study.bulk.fillingFactor, last.boundary.space)
     }
 
-    private fun clusters(page: ReportPage) {
-        val found = Clusters.byGap(last, gap)
-        val edges = generateSequence(1) { 2 * it }.takeWhile { it <= found.sizes[0] }.toList()
-        val number =
-            DoubleArray(edges.size) { k -> found.sizes.count { it >= edges[k] && it < 2 * edges[k] }.toDouble() }
-        val share = DoubleArray(edges.size) { k ->
-            found.sizes.filter { it >= edges[k] && it < 2 * edges[k] }.sum().toDouble() / found.particles
-        }
-        val columns = listOf(
-            Column("size_from", "", DoubleArray(edges.size) { edges[it].toDouble() }),
-            Column("clusters", "", number),
-            Column("share_of_particles", "", share),
-        )
-        Table("clusters", columns).write(study.tables)
-        val over = "xyz".toList().filterIndexed { k, _ -> found.spans[k] }
-        val spans = if (over.isEmpty()) "No cluster of it" else "A cluster of it"
-        val along = if (over.isEmpty()) "" else " along ${over.joinToString(" and ")}"
-        if (times.size >= 2) {
-            val x = times.toDoubleArray()
-            val curve = Curve("mean size", x, sizes.toDoubleArray())
-            val figure = Chart.lines(
-                listOf(curve),
-                UnitNames.axis("time", study.scale.timeName),
-                "mean size of a cluster",
-                logY = Chart.isWide(sizes),
-            )
-            val caption =
-                "Size of the cluster of a particle, on average: Σ s²/Σ s. In the last state the largest has " +
-                    "${ReportText.count(found.sizes[0], "particle")}. $spans goes on through the faces$along."
-            study.draw(page, figure, "clusters", "mean size of clusters over time", caption)
-            val history = listOf(
-                Column("time", study.scale.timeName, x),
-                Column("mean_size", "", sizes.toDoubleArray()),
-                Column("largest_share", "", largest.toDoubleArray()),
-            )
-            Table("cluster-history", history).write(study.tables)
-        }
-    }
-
     private companion object {
-        const val GAP = 0.1
         const val FEWEST = 30
         const val BINS = 40
 

@@ -65,6 +65,7 @@ internal class Sections(private val study: Study, list: List<(Study) -> Section>
                 ::MoonletSection,
                 ::DiffusionSection,
                 ::OrderSection,
+                ::ClusterSection,
             )
 
         /** Those that have numbers in tables of their own, too. */
@@ -87,6 +88,7 @@ internal class Sections(private val study: Study, list: List<(Study) -> Section>
             ::StructureSection,
             ::OrderSection,
             ::CoolingSection,
+            ::ClusterSection,
             ::OccultationSection,
             ::ImpactsSection,
             ::RunSection,

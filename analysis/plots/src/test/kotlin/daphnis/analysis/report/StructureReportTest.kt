@@ -152,16 +152,17 @@ class StructureReportTest {
             "output={\"snapshotEvery\":50,\"seriesEvery\":10}",
         )
         val page = Files.readString(path.resolve("report.html"))
-        assertTrue("Vortices and clusters" in page && "L_c is" in page)
-        val clusters = rows(path, "clusters")
-        assertEquals(1.0, clusters.drop(1).sumOf { it[2].toDouble() }, 1e-9)
+        assertTrue("Vortices</h2>" in page && "Clusters</h2>" in page && "L_c is" in page)
         assertEquals(
             listOf("k [1/", "S_transverse"),
             rows(path, "velocity-spectra")[0].let {
                 listOf(it[0].take(5), it[1])
             },
         )
+        // All in clusters by the distance of contacts; numbers of a state that changes are not in the table.
         assertTrue(rows(path, "cluster-history").size > 2)
+        assertTrue(rows(path, "cluster-sizes").size > 2 && rows(path, "clusters").size > 2)
+        assertFalse(rows(path, "numbers").any { "cluster" in it[0] })
     }
 
     private companion object {
