@@ -35,9 +35,7 @@ public class Bridge @JvmOverloads constructor(
         require(exponent.isFinite()) { "the energy of a bridge goes with the power $exponent of sizes" }
         require(energy > 0 && energy.isFinite()) { "a bridge takes the energy $energy; it must be > 0" }
     }
-
-    private companion object {
-        const val FAR = 0
-        const val BRIDGED = 1
-    }
 }
+
+private const val FAR = 0
+private const val BRIDGED = 1
