@@ -81,6 +81,8 @@ class RefusalsTest {
         assertRefused(daphnis("analyze", at("a"), "--from", "99", "--quiet"), "daphnis: --from: is 99; the last state")
         val alone = daphnis("analyze", at("a"), "--set", "box.lengths=[1,1,1]", "--quiet")
         assertRefused(alone, "daphnis: --set: is box.lengths=[1,1,1], a key of a scenario; give it with --scenario")
+        val near = daphnis("analyze", at("a"), "--cluster-ratio", "0.5", "--quiet")
+        assertRefused(near, "daphnis: --cluster-ratio: is 0.5; it must be in 1..100 sums of radii")
         val series = home.resolve("a/series.csv")
         Files.writeString(series, Files.readString(series).dropLast(80))
         val mend = "; bring it back, or accept what is there: analyze --accept-loss"

@@ -1,6 +1,9 @@
 package daphnis.analysis.report
 
 import daphnis.analysis.input.AnalysisInput
+import daphnis.analysis.insitu.Averages
+import daphnis.analysis.neighbour.ClusterCriterion
+import daphnis.analysis.neighbour.ClusterSizes
 import daphnis.core.input.InputException
 import daphnis.core.run.Run
 import daphnis.core.scenario.BuiltIn
@@ -8,10 +11,12 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import java.nio.file.Files
 import java.nio.file.Path
+import kotlin.math.abs
 
 /** What reports say of clusters. */
 class ClusterReportTest {
@@ -107,5 +112,39 @@ class ClusterReportTest {
         val shoulder = run("shoulder", "interaction={\"type\":\"square-shoulder\",\"ratio\":1.5,\"height\":1}")
         assertTrue("up to 1.1 sums of their radii apart" in report(shoulder))
         assertFalse(rows(shoulder, "numbers").any { "cluster" in it[0] })
+    }
+
+    @Tag("thorough")
+    @Test
+    fun `errors of real runs cover the mean over seeds`() {
+        val criterion = ClusterCriterion(1.5)
+        val runs = (1..SEEDS).map { seed ->
+            val path = run(
+                "seed-$seed",
+                "interaction={\"type\":\"square-well\",\"ratio\":1.5,\"depth\":1}",
+                // Without a bath each seed would have the energy, and so the temperature, of its placement.
+                "forces=[{\"type\":\"andersen\",\"rate\":1,\"temperature\":2}]",
+                "particles.count=100",
+                "box.lengths=[11,11,11]",
+                "until=100",
+                "output={\"snapshotEvery\":10}",
+                "seed=$seed",
+            )
+            val input = AnalysisInput.ofRun(path)
+            val averages = Averages(ClusterSizes(criterion))
+            for (k in 20 until input.size) averages.add(input.state(k))
+            ClusterSizes.NUMBERS.indices.map { averages.average(it) } + averages.average(ClusterSizes.NUMBERS.size + 1)
+        }
+        for (k in runs[0].indices) {
+            if (ClusterSizes.NUMBERS.getOrNull(k) == "spanning_share") continue
+            val truth = runs.map { it[k].mean }.average()
+            val known = runs.filter { it[k].isLevelled }
+            val covered = known.count { abs(it[k].mean - truth) <= it[k].error }
+            assertTrue(known.size > 0.9 * SEEDS && covered.toDouble() / known.size in 0.55..0.8) { "$k: $covered" }
+        }
+    }
+
+    private companion object {
+        const val SEEDS = 100
     }
 }
