@@ -126,7 +126,10 @@ class Run:
 
     @property
     def collisions(self) -> pd.DataFrame:
-        """``collisions.csv``: a row for each collision of two spheres; of rough ones with tangential impulses."""
+        """``collisions.csv``: a row for each collision of two spheres; of rough ones with tangential impulses.
+
+        With interactions also events at edges, whose separation is longer than the sum of the radii.
+        """
         return self._table("collisions.csv", "output.collisionLog")
 
     def _table(self, name: str, key: str) -> pd.DataFrame:

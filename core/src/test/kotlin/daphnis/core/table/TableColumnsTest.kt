@@ -23,8 +23,8 @@ class TableColumnsTest {
 
     @Test
     fun `the files of a run have the declared columns and as many numbers in every row`() {
-        // Rough spheres between walls of which one moves and one is a piston have all columns that there are, but for those of spheres that
-        // grow, which are smooth, of elastic gases at rest, and of other pistons.
+        // Rough spheres with edges between walls of which one moves and one is a piston have all columns that there are,
+        // but for those of spheres that grow, which are smooth, of elastic gases at rest, and of other pistons.
         val ofGrowth = setOf(SeriesColumns.FILLING_FACTOR, SeriesColumns.REDUCED_PRESSURE)
         val ofHeat = TransportColumns.KINETIC_HEAT + TransportColumns.COLLISIONAL_HEAT
         val ofOthers = SeriesColumns.PISTON_POSITION.dropLast(1) + SeriesColumns.PISTON_SPEED.dropLast(1)
@@ -34,7 +34,9 @@ class TableColumnsTest {
         val plane = """{ "type": "plane", "point": [0, 0, 99], "normal": [0, 0, -1] }"""
         val planes = """"surfaces": [${List(8) { plane }.joinToString()}]"""
         val walls = """boundary={ "type": "walls", "axes": "z", "faces": { $floor, $roof }, $planes }"""
-        val scenario = tableScenario("roughness={\"type\": \"smooth\"}", body, walls, "velocities.shearProfile=false")
+        val edges = """interaction={ "type": "square-shoulder", "ratio": 1.1, "height": 0.01 }"""
+        val rough = """roughness={"type": "smooth"}"""
+        val scenario = tableScenario(rough, body, walls, edges, "velocities.shearProfile=false")
         Run.start(scenario, "test", home.resolve("run")).use { it.execute() }
         for (table in tables) {
             val lines = Files.readAllLines(home.resolve("run").resolve(table.file)).map { it.split(',') }
