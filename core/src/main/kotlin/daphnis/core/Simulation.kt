@@ -5,12 +5,12 @@ import daphnis.core.engine.CollisionForcing
 import daphnis.core.engine.Workforce
 import daphnis.core.force.Drift
 import daphnis.core.force.Force
+import daphnis.core.force.PairEnergy
 import daphnis.core.parallel.ClosableLoop
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.population.Conserved
 import daphnis.core.population.Partition
 import daphnis.core.population.Population
-import daphnis.core.potential.PairEnergy
 
 /**
  * The loop: a population, boundary conditions, collisions, a list of forces and a list of outputs, advanced one step at

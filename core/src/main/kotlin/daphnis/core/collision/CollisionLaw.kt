@@ -4,10 +4,7 @@ import daphnis.core.collision.StepRows.Companion.MARKS
 import daphnis.core.collision.StepRows.Companion.STRIDE
 import daphnis.core.collision.StepRows.Companion.VX
 import daphnis.core.merging.MergeRule
-import daphnis.core.merging.Merging
-import daphnis.core.potential.EdgeExchange
 import daphnis.core.potential.PairInteractions
-import daphnis.core.potential.PairStates
 import daphnis.core.space.Images
 import daphnis.core.space.Space
 import daphnis.core.surface.ContactLaw

@@ -5,14 +5,13 @@ import daphnis.core.collision.CollapseGuard
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.collision.CollisionLaw
 import daphnis.core.collision.CollisionRecord
+import daphnis.core.collision.Merging
 import daphnis.core.collision.NoGuard
+import daphnis.core.collision.PairStates
 import daphnis.core.merging.MergeRule
-import daphnis.core.merging.Merging
 import daphnis.core.population.Bonds
 import daphnis.core.population.Population
 import daphnis.core.potential.PairInteractions
-import daphnis.core.potential.PairStates
-import daphnis.core.potential.bind
 import daphnis.core.search.Overlap
 import daphnis.core.search.Reach
 import daphnis.core.search.SearchStructure

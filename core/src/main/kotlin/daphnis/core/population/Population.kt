@@ -183,9 +183,8 @@ public class Population internal constructor(
     internal val idsByPlace: IdPlaces get() = idPlaces
 
     /** Hands the boxes crossed since [beginPart], or since the last call, to [take], and counts from 0 again. */
-    internal fun takeCrossings(take: (id: Int, axis: Int, boxes: Int) -> Unit) {
+    internal fun takeCrossings(take: (id: Int, axis: Int, boxes: Int) -> Unit): Unit =
         crossings.drain { id, axis, boxes -> take(id, axis, boxes) }
-    }
 
     /** After this, [addCrossingOf] takes no memory. */
     internal fun reserveCrossings(): Unit = crossings.reserve()

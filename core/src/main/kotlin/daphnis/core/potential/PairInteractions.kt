@@ -32,13 +32,10 @@ public class PairInteractions private constructor(
     public operator fun get(first: Int, second: Int): PairInteraction? = table[first, second]
 
     /** The largest distance of an edge over the sum of the radii. */
-    internal val reach: Double get() = PairStates(this).reach
+    internal val reach: Double get() = maxOf(1.0, all.maxOf { it?.reach ?: 1.0 })
 
     /** Whether no spheres pass through one another. */
-    internal val areHard: Boolean get() = PairStates(this).areHard
-
-    /** The potential energy as a force, which changes no velocities. */
-    internal fun energy(): PairEnergy = PairEnergy(PairStates(this))
+    internal val areHard: Boolean get() = all.all { it == null || it.isHard }
 
     /** All interactions, each once, that of all [others] first and the tether of [chains] last. */
     internal val all: List<PairInteraction?> = (table.values() + listOfNotNull(chains?.tether)).distinct()

@@ -8,11 +8,13 @@ import daphnis.core.TimeStep
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.collision.CollapseGuard
 import daphnis.core.collision.GuardSpec
+import daphnis.core.collision.PairStates
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.engine.SerialEngine
 import daphnis.core.force.Force
 import daphnis.core.force.ForcePlace
+import daphnis.core.force.PairEnergy
 import daphnis.core.force.Pull
 import daphnis.core.format.Snapshot
 import daphnis.core.input.InputException
@@ -188,7 +190,7 @@ public class ScenarioSetup private constructor(
             val guard = guardSpec.guard(check)
             return ScenarioSetup(
                 resolved, population, boundary, laws.restitution, guard,
-                forceSetup.forces + listOfNotNull(laws.interactions?.energy()), timeStep,
+                forceSetup.forces + listOfNotNull(laws.interactions?.let { PairEnergy(PairStates(it)) }), timeStep,
                 around.frequencies, initial.notices, laws.roughness, forceSetup.places,
                 laws.interactions, laws.mergeRule,
             )

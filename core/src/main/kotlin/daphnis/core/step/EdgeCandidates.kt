@@ -1,12 +1,12 @@
 package daphnis.core.step
 
+import daphnis.core.collision.PairStates
 import daphnis.core.collision.StepRows
 import daphnis.core.collision.StepRows.Companion.RADIUS
 import daphnis.core.collision.StepRows.Companion.STRIDE
 import daphnis.core.collision.StepRows.Companion.TIME
 import daphnis.core.collision.StepRows.Companion.VX
 import daphnis.core.collision.closingWithin
-import daphnis.core.potential.PairStates
 import daphnis.core.queue.EventSink
 import daphnis.core.search.CellRuns
 

@@ -2,15 +2,15 @@ package daphnis.core.step
 
 import daphnis.core.api.EngineApi
 import daphnis.core.boundary.prepare
+import daphnis.core.collision.Merging
+import daphnis.core.collision.PairStates
 import daphnis.core.collision.StepRows
 import daphnis.core.collision.StepRows.Companion.STRIDE
 import daphnis.core.collision.contactTime
-import daphnis.core.merging.Merging
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.Bonds
 import daphnis.core.population.SphereColumns
-import daphnis.core.potential.PairStates
 import daphnis.core.queue.EventSink
 import daphnis.core.search.Grid
 import daphnis.core.search.GridSort

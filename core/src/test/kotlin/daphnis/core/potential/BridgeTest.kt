@@ -6,6 +6,7 @@ import daphnis.core.Sphere
 import daphnis.core.boundary.Open
 import daphnis.core.boundary.Periodic
 import daphnis.core.collision.FloorSpeedGuard
+import daphnis.core.collision.PairStates
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.physics.cube
 import daphnis.core.physics.gas

@@ -34,7 +34,7 @@ internal class ClusterSection(private val study: Study) : Section {
     override val over get() =
         "Spheres are in one cluster where ${linked()}, by way of others too, and through faces. Each cluster is " +
             "measured in the last state. Sizes: ${study.overAverages.replaceFirstChar { it.lowercase() }}"
-    override val applies = asked != null || study.input.scenario?.haveInteractions == true || isGas
+    override val applies = asked != null || study.input.scenario?.interactions?.isNotEmpty() == true || isGas
     override val leftOut: String? get() = study.tooFew(FEWEST) ?: tooFar ?: none()
 
     private val tooFar: String? = run {
@@ -155,7 +155,7 @@ internal class ClusterSection(private val study: Study) : Section {
 
         /** Null where no spheres attract each other. */
         fun attraction(scenario: Scenario, names: List<String>): ClusterCriterion? {
-            if (!scenario.haveInteractions) return null
+            if (scenario.interactions.isEmpty()) return null
             val check = ValueCheck("interaction")
             var all = ClusterCriterion(0.0)
             for (impact in scenario.impacts) {

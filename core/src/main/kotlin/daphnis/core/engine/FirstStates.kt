@@ -1,6 +1,7 @@
-package daphnis.core.potential
+package daphnis.core.engine
 
 import daphnis.core.boundary.BoundaryConditions
+import daphnis.core.collision.PairStates
 import daphnis.core.population.Bonds
 import daphnis.core.population.Population
 import daphnis.core.search.NearPairs

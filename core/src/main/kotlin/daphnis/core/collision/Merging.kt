@@ -1,10 +1,9 @@
-package daphnis.core.merging
+package daphnis.core.collision
 
-import daphnis.core.collision.CollisionOutcome
-import daphnis.core.collision.StepRows
 import daphnis.core.collision.StepRows.Companion.RADIUS
 import daphnis.core.collision.StepRows.Companion.STRIDE
 import daphnis.core.collision.StepRows.Companion.VX
+import daphnis.core.merging.MergeRule
 import daphnis.core.population.Population
 import daphnis.core.population.SphereColumns
 import daphnis.core.population.SphereQuantity

@@ -1,6 +1,6 @@
-package daphnis.core.potential
+package daphnis.core.force
 
-import daphnis.core.force.PerSphereEnergy
+import daphnis.core.collision.PairStates
 import daphnis.core.population.Bonds
 import daphnis.core.population.Population
 

@@ -1,12 +1,11 @@
-package daphnis.core.potential
+package daphnis.core.collision
 
-import daphnis.core.collision.NEVER
-import daphnis.core.collision.StepRows
 import daphnis.core.collision.StepRows.Companion.RADIUS
-import daphnis.core.collision.relativeMotion
-import daphnis.core.collision.waitUntilRoot
 import daphnis.core.population.Bonds
 import daphnis.core.population.SphereColumns
+import daphnis.core.potential.Edge
+import daphnis.core.potential.PairInteractions
+import daphnis.core.potential.PairState
 import daphnis.core.space.Images
 import kotlin.math.max
 import kotlin.math.sqrt
@@ -58,10 +57,10 @@ internal class PairStates(private val interactions: PairInteractions) {
     private val tied = kinds.indexOf(chains?.tether)
 
     /** The largest distance of an edge over the sum of the radii. */
-    val reach: Double = max(1.0, kinds.maxOf { it?.reach ?: 1.0 })
+    val reach: Double = interactions.reach
 
     /** Whether no spheres pass through one another. */
-    val areHard: Boolean = kinds.all { it == null || it.isHard }
+    val areHard: Boolean = interactions.areHard
 
     /** The number of the state of the pair in the slots [first] and [second], of [a] and [b]. */
     fun of(a: StepRows, first: Int, b: StepRows, second: Int): Int {

@@ -1,7 +1,5 @@
-package daphnis.core.potential
+package daphnis.core.collision
 
-import daphnis.core.collision.CollisionOutcome
-import daphnis.core.collision.StepRows
 import daphnis.core.collision.StepRows.Companion.RADIUS
 import daphnis.core.collision.StepRows.Companion.STRIDE
 import kotlin.math.sqrt
