@@ -1,5 +1,6 @@
 package daphnis.core.population
 
+import daphnis.core.growth.IntList
 import daphnis.core.population.SphereQuantity.LAST_COLLISION
 import java.util.function.IntPredicate
 
@@ -48,6 +49,10 @@ public class Population internal constructor(
     private var crossingsBefore: Crossings
     private var indexByPlace = IntArray(0)
     private var indexIsCurrent = false
+
+    /** Whether this is a part of another population, see [beginPart]; then what is removed. */
+    private var isPart = false
+    private val removed = IntList()
 
     /**
      * @param x positions, in the scenario's unit of length; likewise [y], [z]
@@ -137,9 +142,21 @@ public class Population internal constructor(
         for (k in 0 until size) if (keep.test(k)) kept[n++] = k
         if (n == size) return
         val left = PopulationColumns.picked(now, kept.copyOf(n))
+        if (isPart) for (k in 0 until size) if (!keep.test(k)) removed.add(id[k])
         sets.replace(left)
         indexIsCurrent = false
-        for (k in left.bonds.indices) left.bonds[k] = Bonds.only(left.bonds[k]) { indexOf(it) >= 0 }
+        // Partners of a part may be elsewhere, see [forget].
+        if (!isPart) for (k in left.bonds.indices) left.bonds[k] = Bonds.only(left.bonds[k]) { indexOf(it) >= 0 }
+    }
+
+    /** Of a part: the ids of the spheres that were removed in this step, once. */
+    internal fun takeRemoved(): IntArray = removed.toArray().also { removed.clear() }
+
+    /** The spheres [gone], some of which were elsewhere, are nobody's partners any more; after the drift of a step. */
+    internal fun forget(gone: IntArray) {
+        if (gone.isEmpty()) return
+        val ids = gone.toHashSet()
+        for (k in bonds.indices) bonds[k] = Bonds.only(bonds[k]) { it !in ids }
     }
 
     /**
@@ -173,6 +190,7 @@ public class Population internal constructor(
      * @param areFew see [Crossings]
      */
     internal fun beginPart(places: IdPlaces, areFew: Boolean = true) {
+        isPart = true
         idPlaces = places
         crossings = Crossings(places, areFew)
         crossingsBefore = crossings
@@ -262,6 +280,7 @@ public class Population internal constructor(
 
     /** Begins a step that can be taken back until [commitStep]. */
     internal fun beginStep() {
+        removed.clear()
         sets.begin()
         crossingsBefore = crossings
         crossings.begin()
