@@ -31,7 +31,7 @@ public class StepPhases internal constructor(
     private val collisions: CollisionForcing?,
     private val forces: List<Force>,
     private val loop: RangeLoop,
-    partition: Partition,
+    private val partition: Partition,
 ) {
     public constructor(
         population: Population,
@@ -99,6 +99,7 @@ public class StepPhases internal constructor(
     public fun applyBoundary(end: Double) {
         if (boundary !is PerSphereBoundary) {
             boundary.endStep(population, end)
+            if (collisions?.states != null) population.forget(partition.gather(population.takeRemoved()))
             return
         }
         // Without forces nothing else is done to the spheres, which are in the cache here.

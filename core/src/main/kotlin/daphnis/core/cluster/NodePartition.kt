@@ -34,6 +34,12 @@ internal class NodePartition(private val turns: Turns) : Partition {
 
     override fun max(numbers: DoubleArray) = turns.max(numbers)
 
+    override fun gather(own: IntArray): IntArray {
+        var all = own
+        turns.tell({ int(own.size).ints(own) }) { _, message -> all += message.ints(message.int) }
+        return all
+    }
+
     override fun everyone(population: Population): SphereColumns {
         if (turns.size == 1) return population
         val heard = ArrayList<ByteBuffer>()

@@ -54,6 +54,8 @@ public class CollisionLaw @JvmOverloads constructor(
         require(momentFactor > 0 && momentFactor <= Space.PLANE.mostMomentFactor) {
             "the moment of inertia is $momentFactor m r²; the factor must be > 0 and ${Space.PLANE.mostMomentInWords}"
         }
+        // A search looks as far as one of them asks for, and states of pairs say nothing of what two become.
+        require(interactions == null || mergeRule == null) { "spheres have interactions and merge; they can do one" }
     }
 
     /** @throws IllegalArgumentException when no particle of [space] has such a moment of inertia */
@@ -109,7 +111,8 @@ public class CollisionLaw @JvmOverloads constructor(
      *
      * @return false when the spheres recede because of round-off at a grazing contact; then only their local times have
      *   changed, and [outcome] is as it was
-     * @throws IllegalArgumentException when the law gives an ε that is not in [0, 1], or a β that is not in [−1, 1]
+     * @throws IllegalArgumentException when the law gives an ε that is not in [0, 1], or a β that is not in [−1, 1], or
+     *   a sphere that has merged meets its own image
      */
     public fun collide(
         rows: StepRows,
@@ -120,6 +123,7 @@ public class CollisionLaw @JvmOverloads constructor(
         time: Double,
         outcome: CollisionOutcome,
     ): Boolean {
+        if (merging != null) Merging.requireTwo(first, second)
         rows.advance(first, time)
         rows.advance(second, time)
         separation(rows, first, second, image, images, time) { dx, dy, dz ->

@@ -101,7 +101,8 @@ public class CollisionForcing @JvmOverloads constructor(
      * [CollisionEngine.advance].
      *
      * @throws IllegalArgumentException also when spheres or walls are rough and the population has no spins, or when
-     *   the moment of inertia is more than that of a hollow sphere or, in the plane, of a ring
+     *   the moment of inertia is more than that of a hollow sphere or, in the plane, of a ring, or when a sphere that
+     *   has merged touches its own image
      */
     public fun advance(population: Population, boundary: BoundaryConditions, start: Double, duration: Double) {
         val step = step.takeIf { it != null && it.population === population && it.boundary === boundary }
@@ -116,7 +117,10 @@ public class CollisionForcing @JvmOverloads constructor(
         step.record = record
         step.toCome = toCome
         engine.advance(step)
-        if (collisionLaw.merging != null) Merging.removeGone(population)
+        if (collisionLaw.merging != null) {
+            Merging.removeGone(population)
+            Merging.requireRoom(population, boundary)
+        }
     }
 
     /** The states of pairs; null without interactions. */

@@ -52,6 +52,13 @@ internal object Bonds {
         return kept
     }
 
+    /** The spheres [gone] are nobody's partners in [lists] any more. */
+    fun forget(lists: Array<IntArray>, gone: IntArray) {
+        if (gone.isEmpty()) return
+        val ids = gone.toHashSet()
+        for (k in lists.indices) lists[k] = only(lists[k]) { it !in ids }
+    }
+
     /** Each pair once: lower id, higher id, state, for the spheres in the order of [indices]. */
     fun pairs(spheres: SphereColumns, indices: IntArray): IntArray {
         if (spheres.bonds === NONE) return FREE

@@ -20,6 +20,9 @@ public interface Partition {
     /** Makes each of [numbers] the greatest of all nodes. */
     public fun max(numbers: DoubleArray)
 
+    /** What all nodes give, of which each may give another number: [own] first, then that of the others. */
+    public fun gather(own: IntArray): IntArray
+
     /**
      * Positions, masses and ids of the spheres of all nodes, without anything else: those of [population] come first, in
      * its order. Valid until the population changes.
@@ -49,6 +52,8 @@ public interface Partition {
         override fun add(numbers: DoubleArray): Unit = Unit
 
         override fun max(numbers: DoubleArray): Unit = Unit
+
+        override fun gather(own: IntArray): IntArray = own
 
         override fun everyone(population: Population): SphereColumns = population
     }

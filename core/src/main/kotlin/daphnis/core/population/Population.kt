@@ -1,7 +1,9 @@
 package daphnis.core.population
 
+import daphnis.core.growth.IntList
 import daphnis.core.population.SphereQuantity.LAST_COLLISION
 import java.util.function.IntPredicate
+import java.util.stream.IntStream
 
 /**
  * Spheres as a structure of arrays: entry `k` of every array belongs to the sphere with the stable id `id[k]`.
@@ -49,6 +51,10 @@ public class Population internal constructor(
     private var indexByPlace = IntArray(0)
     private var indexIsCurrent = false
 
+    /** Whether this is a part of another population, see [beginPart]; then what is removed. */
+    private var isPart = false
+    private val removed = IntList()
+
     /**
      * @param x positions, in the scenario's unit of length; likewise [y], [z]
      * @param vx velocities, unit of length per unit of time; likewise [vy], [vz]
@@ -79,24 +85,15 @@ public class Population internal constructor(
         crossingsBefore = crossings
     }
 
-    /**
-     * The present index of the sphere with the stable id [id], or −1 when there is none. Allocates nothing once warm.
-     */
+    /** The present index of the sphere with the stable id [id], −1 when there is none. Allocates nothing once warm. */
     public fun indexOf(id: Int): Int {
         val place = idPlaces.of(id)
         return if (place in 0 until idPlaces.count) indexAt(place) else -1
     }
 
     /** The indices of all spheres in the order of their ids. Allocates. */
-    public fun indicesById(): IntArray {
-        val indices = IntArray(size)
-        var n = 0
-        for (place in 0 until places) {
-            val k = indexAt(place)
-            if (k >= 0) indices[n++] = k
-        }
-        return indices
-    }
+    public fun indicesById(): IntArray =
+        IntStream.range(0, places).map { indexAt(it) }.filter { it >= 0 }.toArray()
 
     /**
      * Number of places for ids, about as many as spheres: for loops in the order of ids that allocate nothing, see
@@ -137,10 +134,18 @@ public class Population internal constructor(
         for (k in 0 until size) if (keep.test(k)) kept[n++] = k
         if (n == size) return
         val left = PopulationColumns.picked(now, kept.copyOf(n))
+        if (isPart) for (k in 0 until size) if (!keep.test(k)) removed.add(id[k])
         sets.replace(left)
         indexIsCurrent = false
-        for (k in left.bonds.indices) left.bonds[k] = Bonds.only(left.bonds[k]) { indexOf(it) >= 0 }
+        // Partners of a part may be elsewhere, see [forget].
+        if (!isPart) for (k in left.bonds.indices) left.bonds[k] = Bonds.only(left.bonds[k]) { indexOf(it) >= 0 }
     }
+
+    /** Of a part: the ids of the spheres that were removed in this step, once. */
+    internal fun takeRemoved(): IntArray = removed.toArray().also { removed.clear() }
+
+    /** The spheres [gone], some of which were elsewhere, are nobody's partners any more; after the drift of a step. */
+    internal fun forget(gone: IntArray): Unit = Bonds.forget(bonds, gone)
 
     /**
      * Adds the spheres of [others], with their ids, times of collision and boxes crossed, after those that are there;
@@ -173,6 +178,7 @@ public class Population internal constructor(
      * @param areFew see [Crossings]
      */
     internal fun beginPart(places: IdPlaces, areFew: Boolean = true) {
+        isPart = true
         idPlaces = places
         crossings = Crossings(places, areFew)
         crossingsBefore = crossings
@@ -248,19 +254,14 @@ public class Population internal constructor(
 
     /** Moves every sphere along its straight path, for a step without collisions. */
     internal fun drift(duration: Double) {
-        val from = now
         val to = columnsToWrite(tracksLastCollision = false, keepsOrder = true)
-        from.copyAllButPositionsInto(to)
-        for (k in 0 until size) {
-            to.x[k] = from.x[k] + from.vx[k] * duration
-            to.y[k] = from.y[k] + from.vy[k] * duration
-            to.z[k] = from.z[k] + from.vz[k] * duration
-        }
+        now.driftInto(to, duration)
         take(to)
     }
 
     /** Begins a step that can be taken back until [commitStep]. */
     internal fun beginStep() {
+        removed.clear()
         sets.begin()
         crossingsBefore = crossings
         crossings.begin()
@@ -276,6 +277,7 @@ public class Population internal constructor(
     /** Restores everything as it was at [beginStep], but for what was written to arrays of that moment. Cannot fail. */
     internal fun takeStepBack() {
         if (!sets.takeBack()) return
+        removed.clear()
         indexIsCurrent = false
         crossings = crossingsBefore
         idPlaces = crossings.places

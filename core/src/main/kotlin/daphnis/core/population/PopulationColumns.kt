@@ -72,6 +72,17 @@ internal class PopulationColumns(
         to.shareNotes(this)
     }
 
+    /** Moves every sphere along its straight path to [to], which shares our [fixed]. */
+    fun driftInto(to: PopulationColumns, duration: Double) {
+        copyAllButPositionsInto(to)
+        for (axis in 0..2) {
+            val from = position(axis)
+            val v = velocity(axis)
+            val there = to.position(axis)
+            for (k in 0 until size) there[k] = from[k] + v[k] * duration
+        }
+    }
+
     /** The same columns with [given] as those of [quantity]. */
     fun with(quantity: SphereQuantity, given: List<DoubleArray>): PopulationColumns = quantity.places.let { places ->
         PopulationColumns(

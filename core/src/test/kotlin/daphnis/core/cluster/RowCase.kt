@@ -149,6 +149,17 @@ enum class RowCase(text: String, internal val check: (List<List<String>>) -> Uni
         "bonds": {"length": 4, "greatest": 1.2}, "velocities": {"type": "gaussian", "sigma": 2.0}, $GAS""",
         { rows -> assertEquals(rows.size - 1, rows.column("edge_events").distinct().size) },
     ),
+    REMOVED_BOUND(
+        RING_UNITS + """"box": {"lengths": [60, 80, 12]}, "boundary": {"type": "hill-sheet", "radiallyOpen": true},
+        "particles": {"opticalDepth": 0.4, "sizes": {"type": "equal", "radius": 1.4826}, "density": 900},
+        "forces": [{"type": "satellite", "massRatio": 1e-20, "x": -20, "y": -10, "radius": 14}],
+        "interaction": {"type": "square-well", "ratio": 1.8, "depth": 0.002},
+        "velocities": {"type": "gaussian", "sigma": 0.0004, "shearProfile": true}, $RING_STEPS""",
+        { rows ->
+            assertNotEquals(rows.column("particles").first(), rows.column("particles").last())
+            assertTrue(rows.column("potential_energy").distinct().size > 3)
+        },
+    ),
     MERGING(
         """"until": 0.5, "box": {"lengths": [9, 9, 9]}, "boundary": {"type": "periodic"},
         "particles": {"count": 300, "sizes": {"type": "equal", "radius": 0.3}, "mass": 1.0},

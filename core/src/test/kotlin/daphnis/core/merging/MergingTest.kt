@@ -3,20 +3,29 @@ package daphnis.core.merging
 import daphnis.core.FixedTimeStep
 import daphnis.core.Simulation
 import daphnis.core.Sphere
+import daphnis.core.boundary.Box
+import daphnis.core.boundary.LeesEdwards
 import daphnis.core.boundary.Open
 import daphnis.core.boundary.Periodic
 import daphnis.core.engine.CollisionForcing
+import daphnis.core.engine.CoreEngines
+import daphnis.core.engine.FixedThreads
+import daphnis.core.engine.SerialEngine
 import daphnis.core.physics.cube
 import daphnis.core.physics.gas
 import daphnis.core.population.Population
 import daphnis.core.population.stateDigest
 import daphnis.core.populationOf
+import daphnis.core.potential.PairInteractions
+import daphnis.core.potential.SteppedPotential
 import daphnis.core.run.CollisionStatistics
 import daphnis.core.surface.ConstantRestitution
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
+import kotlin.math.cos
+import kotlin.math.sin
 import kotlin.math.sqrt
 
 class MergingTest {
@@ -163,6 +172,42 @@ class MergingTest {
         other.advance()
         assertEquals(stateDigest(other.population), stateDigest(simulation.population))
         assertTrue(other.population.size < 450)
+    }
+
+    @Test
+    fun `a sphere that has grown until it touches its own image ends the run, on every engine, before it is lost`() {
+        val side = 4.0
+        val box = Box(0.0, 0.0, 0.0, side, side, side)
+        for (boundary in listOf(Periodic(box), LeesEdwards(box, 0.3))) {
+            for (engine in listOf(SerialEngine()) + CoreEngines.others(FixedThreads(2))) {
+                // 32 spheres of a face-centred lattice, which would be one with a radius of 2.06.
+                val sites = (0 until 64).filter { (it + it / 4 + it / 16) % 2 == 0 }
+                fun at(site: Int) = 0.5 + site % 4
+                val start = populationOf(
+                    *sites.map {
+                        Sphere(at(it), at(it / 4), at(it / 16), sin(1.0 * it), cos(2.0 * it), r = 0.65)
+                    }.toTypedArray(),
+                )
+                val collisions = CollisionForcing.builder(ConstantRestitution(1.0)).engine(engine)
+                    .merging(MergeRule.always()).build()
+                Simulation(start, boundary, collisions, FixedTimeStep(0.05)).use { simulation ->
+                    val e = assertThrows(IllegalArgumentException::class.java) {
+                        repeat(2000) { _ -> simulation.advance() }
+                    }
+                    val story = "${engine.name} in $boundary"
+                    assertTrue("touches its own image" in e.message!!) { "$story: ${e.message}" }
+                    assertEquals(32.0, simulation.population.mass.sum(), 1e-9) { story }
+                    assertTrue(simulation.population.radius.max() < side / 2) { story }
+                }
+            }
+        }
+    }
+
+    @Test
+    fun `spheres with interactions do not merge`() {
+        val both = CollisionForcing.builder(ConstantRestitution(1.0)).merging(MergeRule.always())
+            .interactions(PairInteractions(SteppedPotential.squareWell(1.5, 1.0)))
+        assertThrows(IllegalArgumentException::class.java) { both.build() }
     }
 
     @Test
