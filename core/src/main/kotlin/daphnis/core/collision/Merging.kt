@@ -13,7 +13,7 @@ import kotlin.math.max
 import kotlin.math.sqrt
 
 /**
- * What a merger does to the two rows: one sphere lives on in the row of the heavier, and the other row is dead until the
+ * What a merger does to the two rows: one sphere lives on in the row of the larger, and the other row is dead until the
  * end of the step: at rest so [far away][GONE] that nothing can touch it, so searches need not know. [removeGone] then
  * removes it. Keeps nothing.
  *
@@ -33,7 +33,7 @@ internal class Merging(private val rule: MergeRule, private val momentFactor: Do
         val distance = rows.state[first * STRIDE + RADIUS] + rows.state[second * STRIDE + RADIUS]
         val speed2 = outcome.ux * outcome.ux + outcome.uy * outcome.uy + outcome.uz * outcome.uz
         if (!rule.merges(sqrt(speed2), mass, distance)) return false
-        val staysFirst = m1 > m2 || m1 == m2 && rows.id[first] < rows.id[second]
+        val staysFirst = isKept(rows, first, second)
         val stays = if (staysFirst) first else second
         val goes = if (staysFirst) second else first
         // From the one that stays to the other: exact either way, since exchanging them negates both.
@@ -61,6 +61,16 @@ internal class Merging(private val rule: MergeRule, private val momentFactor: Do
         outcome.rubbed = max(0.0, 0.5 * reduced * (speed2 - normal * normal)) + (before - after)
         outcome.impulse = outcome.impactSpeed * reduced
         return true
+    }
+
+    /** Whether the sphere in slot [first] is the larger, of two as large the heavier, of equals that of the lower id. */
+    private fun isKept(rows: StepRows, first: Int, second: Int): Boolean {
+        val r1 = rows.state[first * STRIDE + RADIUS]
+        val r2 = rows.state[second * STRIDE + RADIUS]
+        if (r1 != r2) return r1 > r2
+        val m1 = rows.mass[first]
+        val m2 = rows.mass[second]
+        return if (m1 != m2) m1 > m2 else rows.id[first] < rows.id[second]
     }
 
     private fun move(state: DoubleArray, p: Int, share: Double, outcome: CollisionOutcome) {
@@ -124,9 +134,6 @@ internal class Merging(private val rule: MergeRule, private val momentFactor: Do
 
         /** By how much more, where that was too little. */
         const val MORE: Double = 1.3
-
-        /** What is left of more room after each step. */
-        const val LESS: Double = 0.98
 
         /** Whether the sphere at [place] of [rows] is one of several that have merged in this step. */
         fun hasMerged(rows: StepRows, place: Int, spheres: SphereColumns): Boolean =

@@ -4,8 +4,8 @@ import kotlin.math.sqrt
 
 /**
  * Which impacts merge two spheres into one. The sphere that is left has the mass, momentum, centre of mass and volume
- * of both, and with spins their angular momentum. It keeps the id and the material of the heavier one, and of two
- * equally heavy ones that of the lower id.
+ * of both, and with spins their angular momentum. It keeps the id and the material of the larger one, of two as large
+ * those of the heavier, and of equals those of the lower id.
  *
  * Immutable, and a pure function of what it is asked: engines may ask several times, from several threads. It must not
  * depend on which sphere is first.

@@ -92,8 +92,7 @@ public class Population internal constructor(
     }
 
     /** The indices of all spheres in the order of their ids. Allocates. */
-    public fun indicesById(): IntArray =
-        IntStream.range(0, places).map { indexAt(it) }.filter { it >= 0 }.toArray()
+    public fun indicesById(): IntArray = IntStream.range(0, places).map { indexAt(it) }.filter { it >= 0 }.toArray()
 
     /**
      * Number of places for ids, about as many as spheres: for loops in the order of ids that allocate nothing, see

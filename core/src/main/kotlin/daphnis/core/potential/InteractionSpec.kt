@@ -22,6 +22,9 @@ public sealed interface InteractionSpec {
     /** A description for a reader, with its numbers. */
     public fun inWords(say: Quantities): String
 
+    /** Whether spheres do nothing. */
+    public val isNone: Boolean get() = false
+
     /** Whether the state of a pair depends on its past, and not on its distance alone. */
     public val remembers: Boolean get() = false
 
@@ -29,6 +32,8 @@ public sealed interface InteractionSpec {
     @Serializable
     @SerialName("none")
     public class None : InteractionSpec {
+        override val isNone: Boolean get() = true
+
         override fun interaction(key: String, check: ValueCheck): PairInteraction? = null
 
         override fun inWords(say: Quantities): String = "none"
@@ -83,12 +88,12 @@ public sealed interface InteractionSpec {
             check.that("$key.exponent", exponent, abs(exponent) <= MOST_EXPONENT) {
                 "must be at most $MOST_EXPONENT, and at least -$MOST_EXPONENT"
             }
+            radius?.let { check.extent("$key.radius", it) }
             if (exponent == 0.0) return daphnis.core.potential.Bridge(ratio, energy)
             check.must("$key.radius", radius != null) {
                 "is missing; give that of two spheres whose bridge takes energy"
             }
-            check.extent("$key.radius", radius!!)
-            return daphnis.core.potential.Bridge(ratio, energy, radius, exponent)
+            return daphnis.core.potential.Bridge(ratio, energy, radius!!, exponent)
         }
 
         override fun inWords(say: Quantities): String =

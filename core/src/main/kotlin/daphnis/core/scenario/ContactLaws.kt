@@ -46,7 +46,7 @@ internal class ContactLaws(
         var laws = MaterialLaws(all)
         var surfaces = MaterialRoughness(surface)
         var isRough = surface != null
-        var pairs = scenario.interaction?.let { PairInteractions(it.interaction("interaction", check)) }
+        var pairs = scenario.interaction?.interaction("interaction", check)?.let { PairInteractions(it) }
         scenario.contacts.forEachIndexed { k, contact ->
             val (first, second) = materials.pair(contact)
             val key = "contacts[$k]"

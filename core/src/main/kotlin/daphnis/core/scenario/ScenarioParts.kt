@@ -118,7 +118,7 @@ public interface ScenarioParts {
 
     /** All that spheres do to one another besides impacts. */
     public val interactions: List<InteractionSpec>
-        get() = listOfNotNull(interaction) + contacts.mapNotNull { it.interaction }
+        get() = (listOfNotNull(interaction) + contacts.mapNotNull { it.interaction }).filter { !it.isNone }
 
     /** G in the scenario's units: that of a force that says it, else Newton's; null where neither is known. */
     public val gravitationalConstant: Double?

@@ -143,7 +143,7 @@ internal class StartCheck(
     /** Each pair has one state, so only one image may be within reach. */
     private fun checkReach(key: String, length: Double, largest: Double) {
         val reach = interactions?.reach ?: return
-        check.that(key, length, length > 2 * (2 * largest * reach) * (1 + TOLERANCE)) {
+        check.that(key, length, length > 2 * (2 * largest * reach) * (1 + IMAGE)) {
             "must exceed twice the distance up to which the largest spheres interact, ${2 * largest * reach}, " +
                 "or two images would be within reach of one sphere"
         }
@@ -206,6 +206,9 @@ internal class StartCheck(
         /** The part of a size by which spheres may overlap. */
         const val TOLERANCE = Overlap.TOLERANCE
         private const val MOST_SLIDE = 4
+
+        /** More than what a pair may be beyond an edge by rounding, see [daphnis.core.collision.PairStates]. */
+        private const val IMAGE = 1e-5
 
         /**
          * Bound on the paths of two spheres in a step, in boxes. Longer ones would still be right, but every image in

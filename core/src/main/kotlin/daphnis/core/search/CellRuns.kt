@@ -122,7 +122,7 @@ public class CellRuns @JvmOverloads constructor(private val grid: Grid, private 
         time = state[p + TIME]
         starts = grid.cellStart
         for (level in 0 until levels.count) {
-            cover(level, state[p], state[p + 1], state[p + 2], wayX, wayY, wayZ, state[p + RADIUS] * grid.swelling)
+            cover(level, state[p], state[p + 1], state[p + 2], wayX, wayY, wayZ, state[p + RADIUS] * grid.outlook)
             addAll()
         }
         return size

@@ -53,6 +53,9 @@ public class Grid @JvmOverloads constructor(sort: GridSort = GridSort.COUNTING) 
     /** By how much the radii of the spheres given to [build] are larger than those of the rows that are searched for. */
     internal var swelling: Double = 1.0
 
+    /** How much larger than it is a sphere counts that searches after a collision. */
+    internal var outlook: Double = 1.0
+
     /** First slot of cell c; entry c + 1 is one past its last. */
     internal val cellStart: IntArray get() = sorted.start
 

@@ -170,7 +170,7 @@ public class PreparedStep @JvmOverloads constructor(sort: GridSort = GridSort.CO
         this.middle = middle
         duration = step.duration
         states = step.law.edges?.states
-        mergeRoom = maxOf(Merging.ROOM, mergeRoom * Merging.LESS)
+        mergeRoom = Merging.ROOM
         walls.prepare(step.boundary.walls, step.law, step.start, step.duration)
     }
 
@@ -179,6 +179,8 @@ public class PreparedStep @JvmOverloads constructor(sort: GridSort = GridSort.CO
     public fun prepare(loop: RangeLoop = InlineLoop) {
         requireStage(Stage.MEASURED, "prepare() follows measure() or enlarge()")
         grid.swelling = swelling
+        // Of what has merged those around know, and of the edges of an interaction both have to.
+        grid.outlook = if (states == null) 1.0 else swelling
         grid.build(seen(spheres), step.boundary, step.start, duration, reach.bound, loop, step.search, middle)
         rows.changesMass = merges
         rows.load(spheres, grid.order, duration, step.law.guard.needsLastCollision, loop)

@@ -11,6 +11,8 @@ import daphnis.core.engine.CollisionForcing
 import daphnis.core.engine.CoreEngines
 import daphnis.core.engine.FixedThreads
 import daphnis.core.engine.SerialEngine
+import daphnis.core.initial.RandomPlacement
+import daphnis.core.initial.SeededRandom
 import daphnis.core.physics.cube
 import daphnis.core.physics.gas
 import daphnis.core.population.Population
@@ -208,6 +210,21 @@ class MergingTest {
         val both = CollisionForcing.builder(ConstantRestitution(1.0)).merging(MergeRule.always())
             .interactions(PairInteractions(SteppedPotential.squareWell(1.5, 1.0)))
         assertThrows(IllegalArgumentException::class.java) { both.build() }
+    }
+
+    @Test
+    fun `a small heavy sphere that meets a large light one is found where it goes`() {
+        val random = SeededRandom(3)
+        val box = Box.centred(6.0, 6.0, 6.0)
+        val radii = DoubleArray(60) { if (it % 10 == 0) 0.003 else 0.3 }
+        val places = RandomPlacement().place(radii, box, BooleanArray(3), random)
+        fun gauss() = DoubleArray(60) { random.nextGaussian() }
+        val mass = DoubleArray(60) { (if (it % 10 == 0) 1e6 else 1e-6) * radii[it] * radii[it] * radii[it] }
+        val start = Population(places.x, places.y, places.z, gauss(), gauss(), gauss(), radii, mass)
+        val forcing = collisions(MergeRule.always())
+        val simulation = Simulation(start, Periodic(box), forcing, FixedTimeStep(0.05))
+        while (simulation.time < 3) simulation.advance()
+        assertTrue(simulation.population.size < 40)
     }
 
     @Test

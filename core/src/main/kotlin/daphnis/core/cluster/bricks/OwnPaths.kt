@@ -1,6 +1,7 @@
 package daphnis.core.cluster.bricks
 
 import daphnis.core.collision.StepRows
+import daphnis.core.collision.StepRows.Companion.RADIUS
 import daphnis.core.collision.StepRows.Companion.STRIDE
 import daphnis.core.collision.StepRows.Companion.VX
 import daphnis.core.population.SphereQuantity
@@ -46,6 +47,7 @@ internal class OwnPaths(private val prepared: PreparedStep, private val spheres:
         h = PathHash.mix(h, rows.state[v])
         h = PathHash.mix(h, rows.state[v + 1])
         h = PathHash.mix(h, rows.state[v + 2])
+        if (prepared.step.law.merging != null) h = PathHash.mix(h, rows.state[place * STRIDE + RADIUS])
         if (rows.hasSpin) for (side in SPINS) h = PathHash.mix(h, rows.side(side)[place])
         h = PathHash.mix(h, partner.toLong() xor (rows.rank(place).toLong() shl Int.SIZE_BITS))
         if (tracksLastCollision) h = PathHash.mix(h, rows.lastCollision[place])
