@@ -1,6 +1,5 @@
 package daphnis.core.collision
 
-import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.collision.StepRows.Companion.RADIUS
 import daphnis.core.collision.StepRows.Companion.STRIDE
 import daphnis.core.collision.StepRows.Companion.VX
@@ -168,19 +167,11 @@ internal class Merging(private val rule: MergeRule, private val momentFactor: Do
             return !(left >= 0 && max(now, end) <= left * left)
         }
 
-        private const val OWN_IMAGE =
+        const val OWN_IMAGE: String =
             "a sphere that has grown by mergers touches its own image; take a larger box, or end the run earlier"
 
         /** As [take] is for pairs: a sphere that meets an image of itself, which slides, would merge with itself. */
         fun requireTwo(first: Int, second: Int): Unit = require(first != second) { OWN_IMAGE }
-
-        /** @throws IllegalArgumentException when one of [population] touches its own image within [boundary] */
-        fun requireRoom(population: Population, boundary: BoundaryConditions) {
-            val largest = population.radius.maxOrNull() ?: return
-            for (axis in 0..2) {
-                require(!boundary.hasImages(axis) || 2 * largest < boundary.box.length(axis)) { OWN_IMAGE }
-            }
-        }
 
         /** Removes what is gone, after the step. */
         fun removeGone(population: Population) {

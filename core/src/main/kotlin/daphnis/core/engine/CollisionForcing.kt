@@ -119,7 +119,7 @@ public class CollisionForcing @JvmOverloads constructor(
         engine.advance(step)
         if (collisionLaw.merging != null) {
             Merging.removeGone(population)
-            Merging.requireRoom(population, boundary)
+            requireRoom(population, boundary)
         }
     }
 
@@ -136,6 +136,14 @@ public class CollisionForcing @JvmOverloads constructor(
         if (states == null || population.bonds !== Bonds.NONE) return
         Reach().measure(population, boundary, SHORT)
         states.bind(population, boundary, time)
+    }
+
+    /** Requires that no sphere that has grown by mergers touches its own image. */
+    private fun requireRoom(population: Population, boundary: BoundaryConditions) {
+        val largest = population.radius.maxOrNull() ?: return
+        for (axis in 0..2) {
+            require(!boundary.hasImages(axis) || 2 * largest < boundary.box.length(axis)) { Merging.OWN_IMAGE }
+        }
     }
 
     private fun newStep(population: Population, boundary: BoundaryConditions, time: Double): CollisionStep {
