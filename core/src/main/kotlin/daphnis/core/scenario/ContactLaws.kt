@@ -66,6 +66,7 @@ internal class ContactLaws(
         }
         restitution = if (scenario.contacts.any { it.restitution != null }) laws else all
         val chains = scenario.bonds?.chains(check)
+        check.must("bonds", chains == null || scenario.bodies.isEmpty()) { "need spheres without bodies" }
         interactions = if (chains == null) pairs else (pairs ?: PairInteractions(null)).with(chains)
         roughness = when {
             !isRough -> null

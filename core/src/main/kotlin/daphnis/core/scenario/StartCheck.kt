@@ -153,7 +153,6 @@ internal class StartCheck(
     private fun checkBonds() {
         val chains = interactions?.chains ?: return
         val p = population
-        check.must("bonds", scenario.bodies.isEmpty()) { "need spheres without bodies" }
         check.must("bonds.length", p.size % chains.length == 0) {
             "is ${chains.length}, and ${p.size} spheres make no whole number of chains"
         }

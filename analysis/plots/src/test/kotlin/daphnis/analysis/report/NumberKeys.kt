@@ -89,13 +89,23 @@ internal object NumberKeys {
         "hexatic_order_local",
         "hexatic_order",
     )
+    private val CLUSTERS = listOf(
+        "cluster_count",
+        "cluster_share",
+        "cluster_size",
+        "cluster_size_of_sphere",
+        "cluster_size_slope",
+        "cluster_spanning_share",
+        "largest_cluster",
+    )
     private const val DISCS = "area_fraction"
     private const val WALLS = "wall_work_over_dissipation"
     private const val PISTON = "volume"
     private val single = listOf(INFINITE, GUIDING_CENTRES, DISCS, WALLS, PISTON) + HELFAND
 
     private val all =
-        (RING + ROUGH_GAS + SELF_GRAVITY + SHEARED + MOONLET + DIFFUSION + WAVES + FLUID + ORDER + single).toSet()
+        listOf(RING, ROUGH_GAS, SELF_GRAVITY, SHEARED, MOONLET, DIFFUSION, WAVES, FLUID, ORDER, CLUSTERS, single)
+            .flatten().toSet()
 
     /** Keys in the first column of the guide's table of numbers. */
     private fun documented(): List<String> {
