@@ -170,9 +170,6 @@ internal class PairStates(private val interactions: PairInteractions) {
         return if (state < kinds.size) Bonds.UNBOUND else state
     }
 
-    /** As many as there are states. */
-    val size: Int get() = all.size
-
     private companion object {
         val HARD = PairState(0.0, Edge.contact(0), null)
 
