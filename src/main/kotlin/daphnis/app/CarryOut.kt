@@ -162,7 +162,8 @@ private fun report(summary: Summary, times: TimesInWords, units: UnitsOfDimensio
     val end = times.text(summary.time)
     val edges = if (summary.edgeEvents > 0) ", ${counted(summary.edgeEvents, "event")} at edges" else ""
     val mergers = if (summary.mergers > 0) ", ${counted(summary.mergers, "merger")}" else ""
-    val collisions = counted(summary.collisions, "collision") + mergers + edges
+    val broken = if (summary.broken > 0) ", ${counted(summary.broken, "broken sphere")}" else ""
+    val collisions = counted(summary.collisions, "collision") + mergers + broken + edges
     say("%s to time %s in %.1f s, %s", counted(summary.steps, "step"), end, summary.wallSeconds, collisions)
     val ofSpeeds = named(units, Dimension.SPEED_SQUARED)
     val ofEnergy = named(units, Dimension.ENERGY).ifEmpty { "in the scenario's units" }

@@ -85,6 +85,7 @@ public class StepPhases internal constructor(
     public fun drift(start: Double, duration: Double) {
         if (collisions != null) {
             collisions.advance(population, boundary, start, duration)
+            collisions.scatter(population, partition, start)
             // Another engine around that one may have written more.
             hasDriftedFinite = (collisions.engine as? EndsFinite)?.endedFinite == true
         } else {

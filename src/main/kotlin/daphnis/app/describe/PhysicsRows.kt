@@ -146,6 +146,7 @@ internal class PhysicsRows(private val setup: ScenarioSetup, private val say: Qu
         materials.contacts()
         scenario.bonds?.let { rows.add("bonds", it.inWords()) }
         scenario.merging?.let { rows.add("merging", it.inWords(say)) }
+        scenario.breaking?.let { rows.add("breaking", it.inWords(say)) }
         rows.add("guard", scenario.guard.inWords(say))
     }
 

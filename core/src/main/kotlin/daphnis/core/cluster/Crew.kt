@@ -99,6 +99,7 @@ internal class Crew(private val mail: Mail, val nodes: List<FleetNode>, var step
             mail.receive(rank)
         }
         if (crossings.any { it.hasRemaining() }) population.reserveCrossings()
+        population.renewPlaces(columns.id)
         population.take(columns)
         for (message in crossings) {
             while (message.hasRemaining()) population.addCrossingOf(message.int, message.int, message.int)

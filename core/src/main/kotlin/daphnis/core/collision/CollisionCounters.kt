@@ -1,7 +1,7 @@
 package daphnis.core.collision
 
 /**
- * What an engine has counted since the start of the run. The first five numbers belong to the trajectory and are the
+ * What an engine has counted since the start of the run. The first six numbers belong to the trajectory and are the
  * same for every engine. The rest tell how the engine worked.
  */
 public class CollisionCounters {
@@ -42,11 +42,18 @@ public class CollisionCounters {
             counts[4] = value
         }
 
-    /** Steps restored and redone because a sphere went farther than the bound on its reach. */
-    public var redoneSteps: Long
+    /** Spheres that broke into pieces. */
+    public var broken: Long
         get() = counts[5]
         set(value) {
             counts[5] = value
+        }
+
+    /** Steps restored and redone because a sphere went farther than the bound on its reach. */
+    public var redoneSteps: Long
+        get() = counts[6]
+        set(value) {
+            counts[6] = value
         }
 
     /**
@@ -56,9 +63,9 @@ public class CollisionCounters {
      * throws, and is not counted.
      */
     public var causalityReplays: Long
-        get() = counts[6]
+        get() = counts[7]
         set(value) {
-            counts[6] = value
+            counts[7] = value
         }
 
     internal operator fun get(counter: Counter): Long = counts[counter.ordinal]
@@ -106,6 +113,7 @@ internal enum class Counter(val key: String, val isOfTrajectory: Boolean, val is
     GUARD_ACTIVATIONS("guardActivations", true),
     EDGE_EVENTS("edgeEvents", true, isNew = true),
     MERGERS("mergers", true, isNew = true),
+    BROKEN("broken", true, isNew = true),
     REDONE_STEPS("redoneSteps", false),
     CAUSALITY_REPLAYS("causalityReplays", false),
 }

@@ -3,6 +3,7 @@ package daphnis.core.collision
 import daphnis.core.collision.StepRows.Companion.MARKS
 import daphnis.core.collision.StepRows.Companion.STRIDE
 import daphnis.core.collision.StepRows.Companion.VX
+import daphnis.core.merging.BreakRule
 import daphnis.core.merging.MergeRule
 import daphnis.core.potential.PairInteractions
 import daphnis.core.space.Images
@@ -12,6 +13,7 @@ import daphnis.core.surface.Restitution
 import daphnis.core.surface.RoughContact
 import daphnis.core.surface.Roughness
 import daphnis.core.surface.SurfaceContact
+import kotlin.math.max
 import kotlin.math.sqrt
 
 /**
@@ -30,6 +32,7 @@ import kotlin.math.sqrt
  *   need to know of the true paths
  * @property mergeRule which impacts merge two spheres; null for none
  * @property interactions what spheres do to one another besides impacts; null for nothing
+ * @property breakRule which impacts break spheres; null for none
  */
 public class CollisionLaw @JvmOverloads constructor(
     law: ContactLaw,
@@ -40,6 +43,7 @@ public class CollisionLaw @JvmOverloads constructor(
     private val acceleration: List<Double> = STILL,
     public val interactions: PairInteractions? = null,
     public val mergeRule: MergeRule? = null,
+    public val breakRule: BreakRule? = null,
 ) {
     /** Both coefficients. */
     public val contactLaw: ContactLaw = if (roughness == null) law else RoughContact(law, roughness)
@@ -56,6 +60,7 @@ public class CollisionLaw @JvmOverloads constructor(
         }
         // A search looks as far as one of them asks for, and states of pairs say nothing of what two become.
         require(interactions == null || mergeRule == null) { "spheres have interactions and merge; they can do one" }
+        require(interactions == null || breakRule == null) { "spheres have interactions and break; they can do one" }
     }
 
     /** @throws IllegalArgumentException when no particle of [space] has such a moment of inertia */
@@ -101,6 +106,12 @@ public class CollisionLaw @JvmOverloads constructor(
 
     /** What happens in a merger; null where nothing merges. */
     internal val merging: Merging? = mergeRule?.let { Merging(it, momentFactor) }
+
+    /** What happens to spheres that break; null where nothing does. */
+    internal val breaking: Breaking? = breakRule?.let { Breaking(it) }
+
+    /** Whether spheres only meet, and stay what and as many as they are: epochs and lists of neighbours know no more. */
+    internal val isPlain: Boolean = interactions == null && mergeRule == null && breakRule == null
 
     /** For spheres and walls. */
     internal val spins = SpinExchange(momentFactor, turning)
@@ -154,12 +165,13 @@ public class CollisionLaw @JvmOverloads constructor(
                 outcome.uy = uy
                 outcome.uz = uz
             }
-            if (merging != null && merging.take(rows, first, second, outcome)) return@separation
+            if (mayMerge(rows, first, second) && merging!!.take(rows, first, second, outcome)) return@separation
             if (restitution != null) {
                 askGuard(rows, first, second, time, outcome)
                 outcome.coefficient = if (outcome.guarded) 1.0 else restitution.coefficient(outcome.impactSpeed)
                 settle(rows, first, second, b, d2, time, outcome)
                 outcome.forgetSurfaces()
+                if (breaking != null) outcome.rubbed = -outcome.kept
             } else {
                 outcome.nearing = b
                 outcome.distance2 = d2
@@ -218,8 +230,19 @@ public class CollisionLaw @JvmOverloads constructor(
         }
         // The normal is d/|d|; b/d² · d is the approach velocity along it, without a square root that would cost
         // energy.
-        exchange(rows, first, second, (1.0 + coefficient) * b / d2, outcome)
+        if (breaking == null) return exchange(rows, first, second, (1.0 + coefficient) * b / d2, outcome)
+        breaking.take(rows, first, second, outcome)
+        val m1 = rows.mass[first]
+        val m2 = rows.mass[second]
+        // What is left to bounce with: ½ μ v_n² without the energy of the pieces.
+        val left = -sqrt(max(0.0, b * b - 2.0 * outcome.kept * d2 / (m1 * m2 / (m1 + m2))))
+        outcome.coefficient = coefficient * (left / b)
+        exchange(rows, first, second, (b + coefficient * left) / d2, outcome)
     }
+
+    /** What has broken in this step is not one sphere any more. */
+    private fun mayMerge(rows: StepRows, first: Int, second: Int) = merging != null &&
+        (breaking == null || !breaking.isBroken(rows, first) && !breaking.isBroken(rows, second))
 
     private fun refuse(coefficient: Double, speed: Double): Nothing = throw IllegalArgumentException(
         "the coefficient of restitution is $coefficient at an impact speed of $speed; it must be in [0, 1]",

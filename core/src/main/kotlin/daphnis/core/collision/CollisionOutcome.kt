@@ -32,6 +32,9 @@ public class CollisionOutcome {
     /** Energy of motion and of spins that the surfaces took, beside what restitution takes. */
     internal var rubbed = 0.0
 
+    /** Energy of the impact that is kept for the pieces of what breaks. */
+    internal var kept = 0.0
+
     /** An impact begins that may change nothing. */
     internal fun begin(rank: Int) {
         impactSpeed = 0.0

@@ -8,8 +8,11 @@ import daphnis.core.collision.CollisionRecord
 import daphnis.core.collision.Merging
 import daphnis.core.collision.NoGuard
 import daphnis.core.collision.PairStates
+import daphnis.core.merging.BreakRule
 import daphnis.core.merging.MergeRule
+import daphnis.core.merging.Pieces
 import daphnis.core.population.Bonds
+import daphnis.core.population.Partition
 import daphnis.core.population.Population
 import daphnis.core.potential.PairInteractions
 import daphnis.core.search.Overlap
@@ -32,6 +35,7 @@ import daphnis.core.surface.SurfaceContact
  * @param momentFactor moment of inertia of spheres over mass · radius²
  * @param interactions what spheres do to one another besides impacts; null for nothing
  * @param mergeRule which impacts merge two spheres; null for none
+ * @param breakRule which impacts break spheres; null for none
  */
 public class CollisionForcing @JvmOverloads constructor(
     law: ContactLaw,
@@ -43,9 +47,13 @@ public class CollisionForcing @JvmOverloads constructor(
     internal val momentFactor: Double = SurfaceContact.SOLID,
     interactions: PairInteractions? = null,
     mergeRule: MergeRule? = null,
+    breakRule: BreakRule? = null,
 ) : AutoCloseable {
-    private var collisionLaw =
-        CollisionLaw(law, guard, roughness, momentFactor, interactions = interactions, mergeRule = mergeRule)
+    private var collisionLaw = CollisionLaw(
+        law, guard, roughness, momentFactor,
+        interactions = interactions, mergeRule = mergeRule, breakRule = breakRule,
+    )
+    private val pieces = breakRule?.let { Pieces(it) }
     private var step: CollisionStep? = null
 
     /** See [daphnis.core.force.Drift.turning]; to be set before the first step. */
@@ -77,6 +85,7 @@ public class CollisionForcing @JvmOverloads constructor(
                 acceleration,
                 law.interactions,
                 law.mergeRule,
+                law.breakRule,
             )
         step = null
     }
@@ -123,6 +132,14 @@ public class CollisionForcing @JvmOverloads constructor(
         }
     }
 
+    /**
+     * Puts pieces in the places of the spheres of [population], and of those of [partition], that broke in the step from
+     * [start].
+     */
+    internal fun scatter(population: Population, partition: Partition, start: Double) {
+        if (pieces != null) counters.broken += pieces.scatter(population, partition, start)
+    }
+
     /** The states of pairs; null without interactions. */
     internal val states: PairStates? get() = collisionLaw.edges?.states
 
@@ -132,8 +149,9 @@ public class CollisionForcing @JvmOverloads constructor(
      * @throws IllegalArgumentException for spheres with which no step can begin
      */
     internal fun bind(population: Population, boundary: BoundaryConditions, time: Double) {
-        val states = states
-        if (states == null || population.bonds !== Bonds.NONE) return
+        if (population.bonds !== Bonds.NONE) return
+        if (pieces != null) population.bind(Bonds.column(population.size))
+        val states = states ?: return
         Reach().measure(population, boundary, SHORT)
         states.bind(population, boundary, time)
     }
@@ -152,6 +170,7 @@ public class CollisionForcing @JvmOverloads constructor(
             "spheres or walls are rough, and the population has no angular velocities; give them, such as 0 for all"
         }
         collisionLaw.requireIn(boundary.space)
+        require(pieces == null || !population.hasSpin) { "spheres break and have spins; pieces would not keep them" }
         bind(population, boundary, time)
         return CollisionStep(population, boundary, collisionLaw, counters, search)
     }

@@ -2,6 +2,7 @@ package daphnis.core.engine
 
 import daphnis.core.collision.CollapseGuard
 import daphnis.core.collision.NoGuard
+import daphnis.core.merging.BreakRule
 import daphnis.core.merging.MergeRule
 import daphnis.core.potential.PairInteractions
 import daphnis.core.search.SearchStructure
@@ -29,6 +30,7 @@ public class CollisionForcingBuilder internal constructor(private val law: Conta
     private var momentFactor = SurfaceContact.SOLID
     private var interactions: PairInteractions? = null
     private var merging: MergeRule? = null
+    private var breaking: BreakRule? = null
 
     /** What ends inelastic collapse; nothing unless given. */
     public fun guard(guard: CollapseGuard): CollisionForcingBuilder = apply { this.guard = guard }
@@ -68,8 +70,12 @@ public class CollisionForcingBuilder internal constructor(private val law: Conta
     /** Which impacts merge two spheres; none unless given. */
     public fun merging(rule: MergeRule): CollisionForcingBuilder = apply { merging = rule }
 
+    /** Which impacts break spheres; none unless given. */
+    public fun breaking(rule: BreakRule): CollisionForcingBuilder = apply { breaking = rule }
+
     /** The forcing; it is closed with the simulation. */
     public fun build(): CollisionForcing = CollisionForcing(
         law, guard, makeEngine(), recordCollisions, search, roughness, momentFactor, interactions, merging,
+        breaking,
     )
 }

@@ -7,7 +7,7 @@ package daphnis.core.population
  *
  * @param areFew whether it is a small part of all spheres that crosses before the next [drain]
  */
-internal class Crossings(val places: IdPlaces, private val areFew: Boolean = false) {
+internal class Crossings(val places: IdPlaces, val areFew: Boolean = false) {
     @Volatile
     private var counts: Counts? = null
     private var isTransaction = false

@@ -160,12 +160,39 @@ public class Population internal constructor(
         for (id in others.id) require(indexOf(id) < 0) { "id $id is taken; a sphere that is added needs a new one" }
         PopulationCheck.mayJoin(this, others)
         val all = PopulationColumns.joined(listOf(now, others.now))
-        val places = IdPlaces(all.id.copyOf().apply { sort() })
-        val counts = Crossings(places)
+        val counts = Crossings(IdPlaces(all.id.copyOf().apply { sort() }))
         for (population in listOf(this, others)) population.crossings.copyInto(counts, population.id)
-        if (sets.isInStep) counts.begin()
         sets.replace(all)
-        idPlaces = places
+        count(counts)
+    }
+
+    /**
+     * Adds the spheres [others], which are none of another population, after those that are there. [ids] are all that are
+     * added on any node, ascending and above those that are there.
+     */
+    internal fun join(others: PopulationColumns, ids: IntArray) {
+        if (others.size > 0) sets.replace(PopulationColumns.joined(listOf(now, others)))
+        if (isPart) placeAlso(ids) else renewPlaces(id)
+    }
+
+    /** Makes places for those of [ids] that have none, such as those of spheres that nodes have added. */
+    internal fun renewPlaces(ids: IntArray) {
+        if (ids.all { idPlaces.has(it) }) return
+        val counts = Crossings(IdPlaces(ids.copyOf().apply { sort() }))
+        crossings.copyInto(counts, id)
+        count(counts)
+    }
+
+    private fun placeAlso(ids: IntArray) {
+        val counts = Crossings(idPlaces.with(ids), crossings.areFew)
+        crossings.copyInto(counts, IntArray(places) { idPlaces.idAt(it) })
+        count(counts)
+    }
+
+    /** From now on crossings are counted by [counts], which has its places. */
+    private fun count(counts: Crossings) {
+        if (sets.isInStep) counts.begin()
+        idPlaces = counts.places
         crossings = counts
         indexIsCurrent = false
     }

@@ -25,6 +25,7 @@ import java.nio.file.Path
  * @property momentum Σ m v along x, y, z at the end
  * @property edgeEvents passages and reflections at edges of interactions, which are no collisions
  * @property mergers collisions in which two spheres became one
+ * @property broken spheres that broke into pieces
  * @property from the state of another run from which it started; null when it did not
  */
 @OptIn(ExperimentalSerializationApi::class)
@@ -54,6 +55,7 @@ public class Summary @JvmOverloads constructor(
     public val from: String? = null,
     @EncodeDefault(EncodeDefault.Mode.NEVER) public val edgeEvents: Long = 0,
     @EncodeDefault(EncodeDefault.Mode.NEVER) public val mergers: Long = 0,
+    @EncodeDefault(EncodeDefault.Mode.NEVER) public val broken: Long = 0,
 ) {
     internal fun bytes(): ByteArray = (JSON.encodeToString(serializer(), this) + "\n").toByteArray(Charsets.UTF_8)
 
@@ -120,6 +122,7 @@ public class Summary @JvmOverloads constructor(
                 from = plan.scenario?.placement?.file?.origin,
                 edgeEvents = c.edgeEvents,
                 mergers = c.mergers,
+                broken = c.broken,
             )
         }
     }

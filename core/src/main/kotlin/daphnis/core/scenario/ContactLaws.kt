@@ -1,6 +1,7 @@
 package daphnis.core.scenario
 
 import daphnis.core.input.ValueCheck
+import daphnis.core.merging.BreakRule
 import daphnis.core.merging.MergeRule
 import daphnis.core.potential.PairInteractions
 import daphnis.core.surface.ContactLaw
@@ -32,6 +33,16 @@ internal class ContactLaws(
         // What spins and orbits have together in a frame that turns is not kept by its axes alone.
         need(scenario.frame == null || !areRough(scenario), "smooth spheres in a frame that turns, without roughness")
         spec.rule("merging", scenario.gravitationalConstant, check)
+    }
+
+    /** Which impacts break spheres; null for none. */
+    val breakRule: BreakRule? = scenario.breaking?.let { spec ->
+        fun need(isMet: Boolean, what: String) = check.must("breaking", isMet) { "needs $what" }
+        need(!scenario.space.isPlane, "spheres in three dimensions, and these are discs")
+        need(scenario.bodies.isEmpty(), "spheres without bodies")
+        need(scenario.interactions.isEmpty() && scenario.bonds == null, "spheres without interaction and bonds")
+        need(scenario.spins == null && !areRough(scenario), "smooth spheres without spins")
+        spec.rule("breaking", scenario.seed, check)
     }
 
     /** β; null where no spheres are rough. */

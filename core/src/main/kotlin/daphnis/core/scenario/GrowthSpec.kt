@@ -75,6 +75,7 @@ internal class GrowthSetup(private val scenario: Scenario, private val check: Va
         need(scenario.interactions.isEmpty(), "spheres without interaction")
         need(scenario.bonds == null, "spheres that are not bound, without bonds")
         need(scenario.merging == null, "spheres that do not merge, without merging")
+        need(scenario.breaking == null, "spheres that do not break, without breaking")
         return if (spec.rate == 0.0) boundary else GrowingSpheres(box, spec.rate, since, spec.thermostat)
     }
 

@@ -9,6 +9,7 @@ import daphnis.core.initial.SpinsSpec
 import daphnis.core.initial.VelocitiesSpec
 import daphnis.core.input.Planet
 import daphnis.core.input.UnitsSpec
+import daphnis.core.merging.BreakingSpec
 import daphnis.core.merging.MergingSpec
 import daphnis.core.parallel.ThreadHandler
 import daphnis.core.potential.BondsSpec
@@ -65,6 +66,7 @@ public data class Scenario @JvmOverloads constructor(
     @EncodeDefault(EncodeDefault.Mode.NEVER) override val interaction: InteractionSpec? = null,
     @EncodeDefault(EncodeDefault.Mode.NEVER) override val merging: MergingSpec? = null,
     @EncodeDefault(EncodeDefault.Mode.NEVER) override val bonds: BondsSpec? = null,
+    @EncodeDefault(EncodeDefault.Mode.NEVER) override val breaking: BreakingSpec? = null,
     /** From a [ResolvedScenario] that was written to a file; a new initial state has its own. */
     internal val firstBody: Int? = null,
 ) : ScenarioParts {

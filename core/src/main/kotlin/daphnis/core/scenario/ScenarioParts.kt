@@ -5,6 +5,7 @@ import daphnis.core.force.ForceSpec
 import daphnis.core.initial.SpinsSpec
 import daphnis.core.initial.VelocitiesSpec
 import daphnis.core.input.UnitsSpec
+import daphnis.core.merging.BreakingSpec
 import daphnis.core.merging.MergingSpec
 import daphnis.core.potential.BondsSpec
 import daphnis.core.potential.InteractionSpec
@@ -39,6 +40,9 @@ public interface ScenarioParts {
 
     /** Which impacts merge spheres; null for none. */
     public val merging: MergingSpec?
+
+    /** Which impacts break spheres; null for none. */
+    public val breaking: BreakingSpec?
 
     /** Spins at the start; null for none, or those of a file. */
     public val spins: SpinsSpec?
@@ -109,7 +113,7 @@ public interface ScenarioParts {
     public val restitutionAtRest: Double? get() {
         val isAtRest = boundary.repeatsAtRest && frame == null && growth == null
         if (!isAtRest || forces.isNotEmpty() || bodies.isNotEmpty()) return null
-        if (interactions.isNotEmpty() || merging != null || bonds != null) return null
+        if (interactions.isNotEmpty() || merging != null || breaking != null || bonds != null) return null
         val coefficients = impacts.map { impact ->
             impact.restitution!!.constant?.takeIf { impact.roughness?.isSmooth != false }
         }

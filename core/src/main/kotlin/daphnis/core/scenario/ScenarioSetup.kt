@@ -21,6 +21,7 @@ import daphnis.core.input.InputException
 import daphnis.core.input.Quantities
 import daphnis.core.input.ValueCheck
 import daphnis.core.measure
+import daphnis.core.merging.BreakRule
 import daphnis.core.merging.MergeRule
 import daphnis.core.orbit.OrbitalFrequencies
 import daphnis.core.parallel.InlineLoop
@@ -58,6 +59,8 @@ public class ScenarioSetup private constructor(
     public val interactions: PairInteractions?,
     /** Which impacts merge spheres; null for none. */
     public val mergeRule: MergeRule?,
+    /** Which impacts break spheres; null for none. */
+    public val breakRule: BreakRule?,
 ) {
     /** Angular speed of the frame in radians per unit of time; null without a frame. */
     public val angularSpeed: Double? get() = frequencies?.omega
@@ -91,6 +94,7 @@ public class ScenarioSetup private constructor(
         val records = recordCollisions || !boundary.walls.areKnownAhead
         return CollisionForcing(
             law, guard, engine, records, scenario.search, roughness, momentFactor, interactions, mergeRule,
+            breakRule,
         )
     }
 
@@ -192,7 +196,7 @@ public class ScenarioSetup private constructor(
                 resolved, population, boundary, laws.restitution, guard,
                 forceSetup.forces + listOfNotNull(laws.interactions?.let { PairEnergy(PairStates(it)) }), timeStep,
                 around.frequencies, initial.notices, laws.roughness, forceSetup.places,
-                laws.interactions, laws.mergeRule,
+                laws.interactions, laws.mergeRule, laws.breakRule,
             )
         }
 

@@ -167,6 +167,13 @@ enum class RowCase(text: String, internal val check: (List<List<String>>) -> Uni
         "merging": {"type": "always"}, $GAS""",
         { rows -> assertEquals(rows.size - 1, rows.column("particles").distinct().size) },
     ),
+    BREAKING(
+        """"until": 0.5, "box": {"lengths": [9, 9, 9]}, "boundary": {"type": "periodic"},
+        "particles": {"count": 200, "sizes": {"type": "equal", "radius": 0.4}, "mass": 1.0},
+        "velocities": {"type": "gaussian", "sigma": 2.0}, "merging": {"type": "slow", "speed": 1},
+        "breaking": {"speed": 2, "pieces": 3, "spread": 0.2, "smallest": 0.2}, $GAS""",
+        { rows -> assertTrue(rows.column("particles").let { it.last().toInt() > 2 * it.first().toInt() }) },
+    ),
     PISTONS(
         """"until": 0.5, "box": {"lengths": [9, 9, 9]}, "boundary": {"type": "walls", "faces": {
         "lowerZ": {"motion": {"type": "piston", "mass": 50}},

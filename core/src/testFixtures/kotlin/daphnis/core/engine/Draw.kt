@@ -29,6 +29,7 @@ import daphnis.core.initial.PlacementException
 import daphnis.core.initial.Positions
 import daphnis.core.initial.RandomPlacement
 import daphnis.core.initial.SeededRandom
+import daphnis.core.merging.BreakRule
 import daphnis.core.merging.MergeRule
 import daphnis.core.orbit.OrbitalFrequencies
 import daphnis.core.population.Population
@@ -87,6 +88,10 @@ class Draw(override val seed: Long) : Case {
         5L -> MergeRule.below(1.0)
         else -> null
     }.takeIf { interactions == null }
+
+    /** In some spheres break that meet fast. */
+    private val breakRule = BreakRule(1.5, 2 + (seed % 5).toInt(), 0.3, 0.4 * radii.average(), seed)
+        .takeIf { (seed % 12 == 5L || seed % 12 == 9L) && interactions == null && !population.hasSpin }
 
     private fun Population.fillingNow() = if (clumped) maxOf(filling, 0.2) else filling
 
@@ -181,7 +186,7 @@ class Draw(override val seed: Long) : Case {
 
     /** In some of the boxes that repeat spheres grow or shrink. */
     private fun around(): BoundaryConditions {
-        if (interactions != null || mergeRule != null) return boundary
+        if (interactions != null || mergeRule != null || breakRule != null) return boundary
         val isWhole = boundary is Periodic && (0..2).all { boundary.hasImages(it) }
         if (!isWhole || seed % 4 == 0L) return boundary
         val most = if (filling < 0.2 && !clumped) 0.05 else 0.002
@@ -200,6 +205,7 @@ class Draw(override val seed: Long) : Case {
             momentFactor = surface.momentFactor,
             interactions = interactions,
             mergeRule = mergeRule,
+            breakRule = breakRule,
         ),
         FixedTimeStep(dt),
         forces(),
@@ -236,5 +242,6 @@ class Draw(override val seed: Long) : Case {
                 ", $it"
             }.joinToString(
                 "",
-            )}, dt $dt$surface${if (interactions != null) ", with steps" else ""}${if (mergeRule != null) ", merging" else ""}"
+            )}, dt $dt$surface${if (interactions != null) ", with steps" else ""}${if (mergeRule != null) ", merging" else ""}" +
+            if (breakRule != null) ", breaking" else ""
 }

@@ -51,8 +51,7 @@ internal class Brick(ahead: BrickAhead.Choice = BrickAhead.Choice.QUICKEST) {
      */
     fun solve(whole: PreparedStep, middle: DoubleArray, halt: Halt, isAgain: Boolean, gather: Gathering) {
         outrun = 0
-        // Epochs know contacts of spheres that stay, and not the edges of interactions.
-        val mayLookAhead = !isAgain && whole.swelling == 1.0
+        val mayLookAhead = !isAgain && whole.step.law.isPlain
         isAhead = mayLookAhead && ahead.solve(whole, middle, gather)
         if (isAhead) return
         ahead.drop()

@@ -98,8 +98,7 @@ public class HorizonSteps internal constructor(
         prospect?.look(step)
         val isAlone = loop.workers <= 2 && prospect?.isVeryLong == false
         isShort = isAlone || prospect?.isLong == false
-        // Lines and lists know contacts of spheres that stay, and not the edges of interactions.
-        if (step.law.edges != null || step.law.merging != null) {
+        if (!step.law.isPlain) {
             judge = null
             lists.drop()
             epoch.drop()
