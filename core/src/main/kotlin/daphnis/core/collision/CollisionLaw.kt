@@ -113,6 +113,9 @@ public class CollisionLaw @JvmOverloads constructor(
     /** Whether spheres only meet, and stay what and as many as they are: epochs and lists of neighbours know no more. */
     internal val isPlain: Boolean = interactions == null && mergeRule == null && breakRule == null
 
+    /** Whether spheres overlap in right states too. */
+    internal val mayOverlap: Boolean = interactions?.areHard == false || mergeRule != null || breakRule != null
+
     /** For spheres and walls. */
     internal val spins = SpinExchange(momentFactor, turning)
 

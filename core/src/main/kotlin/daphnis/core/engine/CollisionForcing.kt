@@ -177,7 +177,7 @@ public class CollisionForcing @JvmOverloads constructor(
 
     /** @throws IllegalArgumentException when spheres overlap at the time [start] */
     internal fun checkStart(population: Population, boundary: BoundaryConditions, start: Double) {
-        if (isStartUnchecked && states?.areHard != false) Overlap.requireNone(population, boundary, start)
+        if (isStartUnchecked && !collisionLaw.mayOverlap) Overlap.requireNone(population, boundary, start)
         isStartUnchecked = false
     }
 

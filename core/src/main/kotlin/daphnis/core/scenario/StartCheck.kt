@@ -81,8 +81,10 @@ internal class StartCheck(
             scenario.forces.forEachIndexed { k, force -> force.checkStart(places[k], population, duration) }
         }
         if (isPlaced) checkBonds()
-        if (!isPlaced || interactions?.areHard == false) return
+        if (!isPlaced) return
         computable("velocities") { Reach().measure(population, boundary, timeStep.next(population)) }
+        // After mergers, and while pieces leave one another, spheres overlap in states of runs too.
+        if (interactions?.areHard == false || scenario.merging != null || scenario.breaking != null) return
         val overlap = computable("box") {
             Overlap.deepest(population, boundary, scenario.startTime, scenario.engine.threadsAtStart)
         }

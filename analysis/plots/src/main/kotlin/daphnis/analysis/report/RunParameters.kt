@@ -85,12 +85,14 @@ internal class RunParameters(private val input: AnalysisInput, private val last:
         "steps" to "${summary.steps}" + end(summary),
         "collisions" to
             "${summary.collisions}" + guarded(summary.guardActivations) + merged(summary.mergers) +
-            atEdges(summary.edgeEvents),
+            atEdges(summary.edgeEvents) + broken(summary.broken),
         "deepest overlap" to overlap(summary.maxOverlap),
         "engine" to "${summary.engine}, ${count(summary.threads, "thread")}, ${short(summary.wallSeconds)} s",
         "state digest" to summary.stateDigest,
         "version" to "daphnis ${summary.version}, ${summary.jvm}",
     )
+
+    private fun broken(spheres: Long) = if (spheres > 0) ", $spheres spheres broke in them" else ""
 
     private fun merged(mergers: Long) = if (mergers > 0) ", $mergers of them mergers" else ""
 
