@@ -14,7 +14,7 @@ public class CollisionTable private constructor(private val columns: Map<String,
     public val size: Int get() = this[CollisionColumns.STEP].size
 
     /** Whether it is of rough spheres, and has tangential impulses and what surfaces dissipate. */
-    public val isRough: Boolean get() = CollisionColumns.SURFACE_DISSIPATION in this
+    public val isRough: Boolean get() = CollisionColumns.TANGENTIAL_IMPULSE[0] in this
 
     /** The numbers of [column]. @throws NoSuchElementException when the file lacks it */
     public operator fun get(column: Column): DoubleArray = columns.getValue(column.name)

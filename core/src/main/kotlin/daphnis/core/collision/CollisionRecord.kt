@@ -72,7 +72,10 @@ public class CollisionRecord() : GrowingTable() {
      * Then [impactSpeed] is below 0 where the two recede, [impulse] where they attract, [coefficient] where they pass the
      * edge, and [surfaceDissipation] is the energy of motion that is lost and not potential energy after it.
      */
-    public fun isEdge(k: Int): Boolean = data[k * WIDTH + EDGE] != 0.0
+    public fun isEdge(k: Int): Boolean = edge(k) != 0
+
+    /** What happened in [k]: 0 where surfaces met; at an edge 1 inward, 2 outward, 3 turned back. */
+    public fun edge(k: Int): Int = data[k * WIDTH + EDGE].toInt()
 
     public fun impactSpeed(k: Int): Double = data[k * WIDTH]
 

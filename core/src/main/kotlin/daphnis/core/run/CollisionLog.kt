@@ -24,15 +24,20 @@ internal object CollisionLogOutput : PeriodicOutput("collisions", OutputSpec::co
         if (times.isNever) null else OutputCost("${CollisionColumns.file}, some $ROW_BYTES B per collision")
 
     override fun make(times: OutputTimes, sums: StepSums, files: RunFiles): Output? =
-        if (times.isNever) null else CollisionLog(files, sums.haveSpins)
+        if (times.isNever) null else CollisionLog(files, sums.haveSpins, sums.haveEdges)
 }
 
 /**
  * `collisions.csv`: one row per collision, in time order. To put numbers into words takes most of the time of a log, so
  * the writer does that, from collisions that are held back until there are [many], or one has waited for a second.
  */
-internal class CollisionLog(files: RunFiles, haveSpins: Boolean, private val many: Int = MANY) : Output {
-    private val rows = if (haveSpins) CollisionColumns.rows else CollisionColumns.smooth
+internal class CollisionLog(
+    files: RunFiles,
+    haveSpins: Boolean,
+    haveEdges: Boolean,
+    private val many: Int = MANY,
+) : Output {
+    private val rows = CollisionColumns.of(haveSpins, haveEdges)
     private val file = files.table(rows)
     private var held = HeldCollisions()
 
@@ -90,7 +95,8 @@ internal class LoggedCollision(val held: HeldCollisions) {
 
 /**
  * The columns of `collisions.csv`; `docs/guide.md` says what they mean. A further quantity is a further line here.
- * Those from [TANGENTIAL_IMPULSE] on are only there where spheres have spins.
+ * [TANGENTIAL_IMPULSE] is only there where spheres have spins, [EDGE] where they have interactions, and
+ * [SURFACE_DISSIPATION] in both.
  */
 public object CollisionColumns : TableColumns {
     internal val rows = Columns<LoggedCollision>("collisions.csv")
@@ -134,6 +140,13 @@ public object CollisionColumns : TableColumns {
     public val SURFACE_DISSIPATION: Column =
         rows.number("surface_dissipation", Dimension.ENERGY) { it.record.surfaceDissipation(it.k) }
 
-    /** Where nothing spins. */
-    internal val smooth = rows.without(TANGENTIAL_IMPULSE.toSet() + SURFACE_DISSIPATION)
+    @JvmField
+    public val EDGE: Column = rows.whole("edge") { it.record.edge(it.k).toLong() }
+
+    /** The columns of spheres that have spins, or interactions. */
+    internal fun of(haveSpins: Boolean, haveEdges: Boolean) = rows.without(
+        (if (haveSpins) emptySet() else TANGENTIAL_IMPULSE.toSet()) +
+            (if (haveEdges) emptySet() else setOf(EDGE)) +
+            if (haveSpins || haveEdges) emptySet() else setOf(SURFACE_DISSIPATION),
+    )
 }

@@ -31,7 +31,7 @@ class CollisionLogTest {
         val logs = listOf(1, 5, 1_000_000).map { many ->
             val directory = RunDirectory(Files.createDirectories(home.resolve("$many")))
             RunFiles(directory).use { files ->
-                CollisionLog(files, haveSpins = false, many).use { log ->
+                CollisionLog(files, haveSpins = false, haveEdges = false, many).use { log ->
                     startIn(home.resolve("run-$many")).use { run -> run.execute(watcher = { log.write(it) }) }
                 }
             }
