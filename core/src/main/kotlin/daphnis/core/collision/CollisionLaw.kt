@@ -174,12 +174,12 @@ public class CollisionLaw @JvmOverloads constructor(
                 outcome.coefficient = if (outcome.guarded) 1.0 else restitution.coefficient(outcome.impactSpeed)
                 settle(rows, first, second, b, d2, time, outcome)
                 outcome.forgetSurfaces()
-                if (breaking != null) outcome.rubbed = -outcome.kept
             } else {
                 outcome.nearing = b
                 outcome.distance2 = d2
                 touch(rows, first, second, time, outcome)
             }
+            if (breaking != null) outcome.rubbed -= outcome.kept
             // From the reduced mass, so that it is the same to the last bit from either side.
             val m1 = rows.mass[first]
             val m2 = rows.mass[second]

@@ -170,6 +170,14 @@ internal class PairStates(private val interactions: PairInteractions) {
         return if (state < kinds.size) Bonds.UNBOUND else state
     }
 
+    /** The same of two that are bound, where surfaces that meet bind them; [Bonds.UNBOUND] where they do not. */
+    fun boundState(first: Int, second: Int, contact: Double, d2: Double): Int {
+        val far = far(minOf(first, materials - 1), minOf(second, materials - 1))
+        val state = if (isContact[far]) innerNext[far] else far
+        val edge = outer[state] * contact
+        return if (state < kinds.size || d2 > edge * edge * BEYOND) Bonds.UNBOUND else state
+    }
+
     private companion object {
         val HARD = PairState(0.0, Edge.contact(0), null)
 

@@ -149,7 +149,7 @@ public class CollisionForcing @JvmOverloads constructor(
      * @throws IllegalArgumentException for spheres with which no step can begin
      */
     internal fun bind(population: Population, boundary: BoundaryConditions, time: Double) {
-        if (population.bonds !== Bonds.NONE) return
+        if (population.bonds !== Bonds.NONE && !Bonds.areSaid(population.bonds)) return
         if (pieces != null) population.bind(Bonds.column(population.size))
         val states = states ?: return
         Reach().measure(population, boundary, SHORT)

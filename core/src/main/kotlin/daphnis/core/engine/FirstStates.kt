@@ -7,11 +7,12 @@ import daphnis.core.population.Population
 import daphnis.core.search.NearPairs
 
 /**
- * Gives the pairs of [population], of whose past nothing is known, the states that their distances at [time] say. Does
- * nothing where pairs have states. Allocates a grid.
+ * Gives the pairs of [population], of whose past nothing is known but which are said to be bound ([Bonds.SAID]), the states
+ * that this and their distances at [time] say. Does nothing where pairs have states. Allocates a grid.
  */
 internal fun PairStates.bind(population: Population, boundary: BoundaryConditions, time: Double) {
-    if (population.bonds !== Bonds.NONE) return
+    val said = population.bonds
+    if (said !== Bonds.NONE && !Bonds.areSaid(said)) return
     val bonds = Bonds.column(population.size)
     val pairs = NearPairs(population, boundary, time, reach)
     val runs = pairs.runs()
@@ -20,7 +21,11 @@ internal fun PairStates.bind(population: Population, boundary: BoundaryCondition
         pairs.forEach(runs, slot, radius[pairs.index(slot)] * reach) { k, j, dx, dy, dz ->
             val first = materialOf(population, k)
             val second = materialOf(population, j)
-            val state = firstState(first, second, radius[k] + radius[j], dx * dx + dy * dy + dz * dz)
+            val contact = radius[k] + radius[j]
+            val d2 = dx * dx + dy * dy + dz * dz
+            val isBound = said !== Bonds.NONE && Bonds.state(said[k], population.id[j]) != Bonds.UNBOUND
+            var state = firstState(first, second, contact, d2)
+            if (isBound && state == Bonds.UNBOUND) state = boundState(first, second, contact, d2)
             if (state != Bonds.UNBOUND && !areTied(population.id[k], population.id[j])) {
                 bonds[k] = Bonds.with(bonds[k], population.id[j], state)
                 bonds[j] = Bonds.with(bonds[j], population.id[k], state)

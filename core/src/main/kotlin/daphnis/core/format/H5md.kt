@@ -74,6 +74,10 @@ public object H5md : ReadableFormat, WritableFormat {
     internal val FIXED = NUMBERED.filter { it.change == NEVER }
     internal const val SPECIES = "species"
 
+    /** Group of pairs, and its dataset of those that are bound: lower and higher id of each in turn, of one state. */
+    internal const val CONNECTIVITY = "connectivity"
+    internal const val BOUND = "bound"
+
     /** Attribute of the group `parameters`. */
     internal const val MATERIALS = "materials"
 }

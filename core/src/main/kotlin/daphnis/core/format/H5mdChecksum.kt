@@ -15,6 +15,7 @@ internal class H5mdChecksum(first: Snapshot) {
     private val axes = intArrayOf(first.normalAxis, first.slideAxis)
     private val periodic = first.periodic
     private val size = first.size
+    private val bound = first.bound
     private val fixed = H5md.FIXED.flatMap { first.columns(it) }
     private val plain = Sum()
 
@@ -60,6 +61,7 @@ internal class H5mdChecksum(first: Snapshot) {
     /** The checksum of all states that were added; none can be added after it. */
     fun value(): Long {
         val body = imaged ?: plain
+        if (count == 1 && bound != null) body.integers(bound)
         val head = Sum()
         head.integers(intArrayOf(count, size))
         head.integers(axes)

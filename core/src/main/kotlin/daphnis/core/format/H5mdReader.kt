@@ -51,7 +51,7 @@ internal class H5mdReader(
                 lean[t],
                 shifts?.get(t) ?: DoubleArray(3),
             )
-            particles?.state(t, head) ?: head.empty()
+            (particles?.state(t, head) ?: head.empty()).let { if (count == 1L) it.with(bound = bound()) else it }
         }
         val checksum = source.number(PARAMETERS, H5mdChecksum.ATTRIBUTE)
         if (checksum != null && snapshots.isNotEmpty() && checksum != H5mdChecksum.of(snapshots)) {
@@ -60,6 +60,13 @@ internal class H5mdReader(
         for ((t, snapshot) in snapshots.withIndex()) SnapshotCheck.check(snapshot, "$path: frame $t")
         for (name in source.names(all)) if (name !in USED) notices += "$path: $all/$name is not used"
         return snapshots
+    }
+
+    /** Pairs that are bound; null where the file does not say. */
+    private fun bound(): IntArray? {
+        val name = "${H5md.CONNECTIVITY}/${H5md.BOUND}"
+        if (!isOwn || !source.has(name)) return null
+        return source.ints(name, source.shape(name), 0..Int.MAX_VALUE)
     }
 
     /** How far images slid in a file of daphnis. */

@@ -25,6 +25,7 @@ internal class H5mdWriter(
 ) {
     private val firstStep = first.step
     private val id = first.id
+    private val bound = first.bound
     private val optional = optional(first)
     private val checksum = H5mdChecksum(first)
 
@@ -158,6 +159,8 @@ internal class H5mdWriter(
         for ((quantity, value) in changed) element(quantity.title, value)
         edges?.let { element("edges", it.dataset(file).unit(names?.length), box) }
         image?.let { element("image", it) }
+        // Of several states each would have other pairs.
+        if (count == 1 && bound != null && bound.isNotEmpty()) file.root.group(H5md.CONNECTIVITY).dataset(H5md.BOUND, bound)
         parameters.attribute(H5mdChecksum.ATTRIBUTE, checksum.value())
         file.finish()
     }

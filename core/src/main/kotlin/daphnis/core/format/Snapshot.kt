@@ -1,6 +1,7 @@
 package daphnis.core.format
 
 import daphnis.core.boundary.BoundaryConditions
+import daphnis.core.population.Bonds
 import daphnis.core.population.Population
 import daphnis.core.population.PopulationColumns
 import daphnis.core.population.SphereColumns
@@ -21,6 +22,8 @@ import daphnis.core.population.optional
  * @property materials names of materials by number, as in [Population.materials]
  * @property species what the file says particles are made of, where nobody has said what materials that means
  * @property isFlat whether the file tells discs only, as it has no z, or a box that is too thin for spheres; z is 0
+ * @property bound pairs that are bound, lower and higher id of each, as within an edge or bridged; null where that is not
+ *   known
  * @property shift what a file's coordinates x, y, z had more than [position], whose box is centred on the origin
  */
 public class Snapshot internal constructor(
@@ -41,6 +44,7 @@ public class Snapshot internal constructor(
     public val materials: List<String> = emptyList(),
     internal val species: Species? = null,
     public val isFlat: Boolean = false,
+    public val bound: IntArray? = null,
 ) : SphereColumns {
     /**
      * @param hasMass whether [mass] is from the file; false when the file had none and the reader substituted one
@@ -97,6 +101,10 @@ public class Snapshot internal constructor(
         SphereQuantity.at(place).let { it.isOptional && it !in known } -> SphereQuantity.NONE
         place < numbers.size -> numbers[place]
         else -> PopulationColumns.absent(place, size)
+    }
+
+    override val bonds: Array<IntArray> by lazy {
+        if (bound == null || bound.isEmpty()) Bonds.NONE else Bonds.of(id, bound)
     }
 
     /** Positions, `position[axis][k]`. */
@@ -165,9 +173,10 @@ public class Snapshot internal constructor(
         shift: DoubleArray = this.shift,
         hasId: Boolean = this.hasId,
         materials: List<String> = this.materials,
+        bound: IntArray? = this.bound,
     ): Snapshot = Snapshot(
         step, time, lengths, periodic, shearOffset, id, numbers, normalAxis, slideAxis, known, image, hasTime, shift,
-        hasId, materials, species, isFlat,
+        hasId, materials, species, isFlat, bound,
     )
 
     /** The same state, arrays shared, of particles that are made of the materials [names], with these numbers. */
@@ -227,6 +236,7 @@ public class Snapshot internal constructor(
                 },
                 image(population, boundary, time, order),
                 materials = population.materials,
+                bound = if (population.bonds === Bonds.NONE) null else Bonds.partners(population, order),
             )
         }
 

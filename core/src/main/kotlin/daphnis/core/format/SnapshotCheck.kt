@@ -1,6 +1,7 @@
 package daphnis.core.format
 
 import daphnis.core.input.ValueCheck
+import daphnis.core.population.Bonds
 import daphnis.core.population.SphereQuantity
 import kotlin.math.abs
 
@@ -21,6 +22,17 @@ internal class SnapshotCheck private constructor(private val snapshot: Snapshot,
         for (axis in 0..2) places(axis)
         rates()
         resolution()
+        bound()
+    }
+
+    private fun bound() {
+        val pairs = snapshot.bound ?: return
+        must(pairs.size % 2 == 0) { "connectivity/bound has ${pairs.size} numbers; it must be pairs of ids" }
+        try {
+            Bonds.of(snapshot.id, pairs)
+        } catch (e: IllegalArgumentException) {
+            must(false) { "connectivity/bound: ${e.message}" }
+        }
     }
 
     private fun ids() {

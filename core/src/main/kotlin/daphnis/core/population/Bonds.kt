@@ -18,6 +18,18 @@ internal object Bonds {
     /** The state of a pair that is in no list. */
     const val UNBOUND: Int = 0
 
+    /** The state of a pair of which a file says that it has one, and not which, see [of]. */
+    const val SAID: Int = Int.MAX_VALUE
+
+    /** The partners in [pairs], lower and higher id of each, of the spheres [ids]; all of them are [SAID] to be. */
+    fun of(ids: IntArray, pairs: IntArray): Array<IntArray> = column(
+        ids,
+        IntArray(pairs.size / 2 * PAIR) { if (it % PAIR == 2) SAID else pairs[it / PAIR * 2 + it % PAIR] },
+    )
+
+    /** Whether [lists] are [of] a file. */
+    fun areSaid(lists: Array<IntArray>): Boolean = lists.any { list -> list.isNotEmpty() && list[1] == SAID }
+
     /** A column of [size] spheres without partners. */
     fun column(size: Int): Array<IntArray> = Array(size) { FREE }
 
@@ -72,6 +84,12 @@ internal object Bonds {
             all[at++] = state
         }
         return all
+    }
+
+    /** The same without states: lower and higher id of each pair. */
+    fun partners(spheres: SphereColumns, indices: IntArray): IntArray {
+        val pairs = pairs(spheres, indices)
+        return IntArray(pairs.size / PAIR * 2) { pairs[it / 2 * PAIR + it % 2] }
     }
 
     private inline fun forEachPair(

@@ -54,7 +54,7 @@ public class RunOrigin(public val run: RecordedRun, public val state: Snapshot) 
         "$name: the times since the last collisions are not part of a state; guard.duration counts from the start"
             .takeIf { scenario.guard?.remembers == true },
         "$name: bridges are not part of a state; none is there until surfaces meet"
-            .takeIf { scenario.interactions.any { it.remembers } },
+            .takeIf { state.bound == null && scenario.interactions.any { it.remembers } },
     ) + elsewhere(scenario)
 
     /** Pistons that [scenario] would have elsewhere, or with another speed, than the scenario of the other run. */

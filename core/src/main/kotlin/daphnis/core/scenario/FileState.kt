@@ -51,7 +51,8 @@ internal class FileState(
             requireInPlane(snapshot)
             // A state of a run has been compared with the other scenario.
             if (start == null) requireBox(snapshot, notices)
-            val all = withMaterials(withSpins(withMasses(snapshot, notices), notices), notices)
+            val free = if (scenario.interactions.any { it.remembers }) snapshot else snapshot.with(bound = null)
+            val all = withMaterials(withSpins(withMasses(free, notices), notices), notices)
             val repaired = StateRepair(scenario, boundary, spec, check, notices).repaired(all)
             if (repaired.hasSpin) repaired else spins.drawn(repaired, bodies = 0, random())
         } catch (e: FormatException) {

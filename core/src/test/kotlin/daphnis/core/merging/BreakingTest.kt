@@ -10,6 +10,8 @@ import daphnis.core.initial.RandomPlacement
 import daphnis.core.initial.SeededRandom
 import daphnis.core.population.Population
 import daphnis.core.surface.ConstantRestitution
+import daphnis.core.surface.ContactLaw
+import daphnis.core.surface.MaterialLaws
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -130,6 +132,38 @@ class BreakingTest {
         assertTrue(forcing.counters.broken in 101L..400L) { "${forcing.counters.broken}" }
         assertEquals(energy, population.energy(), 1e-12 * energy)
         assertEquals(momentum, population.sum(population.vx), 1e-12)
+    }
+
+    @ParameterizedTest
+    @ValueSource(booleans = [false, true])
+    fun `what collisions are said to take is what is lost, also where pieces merge again`(byMaterial: Boolean) {
+        val box = Box.centred(12.0, 12.0, 12.0)
+        val random = SeededRandom(5)
+        val places = RandomPlacement(2_000).place(DoubleArray(100) { 0.8 }, box, BooleanArray(3), random)
+        fun velocities() = DoubleArray(100) { 2 * random.nextGaussian() }
+        val plain = Population(
+            places.x, places.y, places.z, velocities(), velocities(), velocities(),
+            DoubleArray(100) { 0.8 }, DoubleArray(100) { 1.0 },
+        )
+        val population = if (byMaterial) plain.withMaterial(IntArray(100) { it % 2 }, listOf("a", "b")) else plain
+        val one = ConstantRestitution(0.8)
+        val law: ContactLaw = if (byMaterial) MaterialLaws(one).between(0, 1, ConstantRestitution(0.5)) else one
+        val forcing = CollisionForcing.builder(law).recordCollisions().merging(MergeRule.below(1.5))
+            .breaking(BreakRule(2.0, 4, 0.4, 0.1, 7)).build()
+        val energy = population.energy()
+        var lost = 0.0
+        Simulation(population, Periodic(box), forcing, FixedTimeStep(0.1)).use { simulation ->
+            repeat(60) {
+                simulation.advance()
+                val record = forcing.record!!
+                for (k in 0 until record.size) {
+                    lost += 0.5 * record.impulse(k) * (1 - record.coefficient(k)) * record.impactSpeed(k)
+                    lost += record.surfaceDissipation(k)
+                }
+            }
+        }
+        assertTrue(forcing.counters.let { it.broken > 100 && it.mergers > 100 }) { "${forcing.counters.broken}" }
+        assertEquals(energy - population.energy(), lost, 1e-12 * energy)
     }
 
     @Test
