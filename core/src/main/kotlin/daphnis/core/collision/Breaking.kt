@@ -12,8 +12,7 @@ import daphnis.core.population.Bonds
  */
 internal class Breaking(val rule: BreakRule) {
     /** Whether the sphere in [slot] has broken in this step. */
-    fun isBroken(rows: StepRows, slot: Int): Boolean =
-        Bonds.state(rows.bonds[slot], rows.id[slot]) == Pieces.BROKEN
+    fun isBroken(rows: StepRows, slot: Int): Boolean = Bonds.state(rows.bonds[slot], rows.id[slot]) == Pieces.BROKEN
 
     /**
      * Breaks the spheres in the slots [first] and [second] of [rows], whose impact is described in [outcome], if the rule

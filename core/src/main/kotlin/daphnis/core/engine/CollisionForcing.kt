@@ -50,8 +50,13 @@ public class CollisionForcing @JvmOverloads constructor(
     breakRule: BreakRule? = null,
 ) : AutoCloseable {
     private var collisionLaw = CollisionLaw(
-        law, guard, roughness, momentFactor,
-        interactions = interactions, mergeRule = mergeRule, breakRule = breakRule,
+        law,
+        guard,
+        roughness,
+        momentFactor,
+        interactions = interactions,
+        mergeRule = mergeRule,
+        breakRule = breakRule,
     )
     private val pieces = breakRule?.let { Pieces(it) }
     private var step: CollisionStep? = null

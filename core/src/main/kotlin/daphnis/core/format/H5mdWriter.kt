@@ -160,7 +160,11 @@ internal class H5mdWriter(
         edges?.let { element("edges", it.dataset(file).unit(names?.length), box) }
         image?.let { element("image", it) }
         // Of several states each would have other pairs.
-        if (count == 1 && bound != null && bound.isNotEmpty()) file.root.group(H5md.CONNECTIVITY).dataset(H5md.BOUND, bound)
+        if (count == 1 && bound != null &&
+            bound.isNotEmpty()
+        ) {
+            file.root.group(H5md.CONNECTIVITY).dataset(H5md.BOUND, bound)
+        }
         parameters.attribute(H5mdChecksum.ATTRIBUTE, checksum.value())
         file.finish()
     }

@@ -24,7 +24,9 @@ public class BreakingSpec(
      */
     public fun rule(key: String, seed: Long, check: ValueCheck): BreakRule {
         check.atLeast0("$key.speed", speed)
-        check.that("$key.pieces", pieces, pieces in 2..BreakRule.MOST_PIECES) { "must be in 2..${BreakRule.MOST_PIECES}" }
+        check.that("$key.pieces", pieces, pieces in 2..BreakRule.MOST_PIECES) {
+            "must be in 2..${BreakRule.MOST_PIECES}"
+        }
         check.positive("$key.spread", spread)
         check.positive("$key.smallest", smallest)
         return BreakRule(speed, pieces, spread, smallest, seed)

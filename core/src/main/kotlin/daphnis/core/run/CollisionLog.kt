@@ -31,12 +31,8 @@ internal object CollisionLogOutput : PeriodicOutput("collisions", OutputSpec::co
  * `collisions.csv`: one row per collision, in time order. To put numbers into words takes most of the time of a log, so
  * the writer does that, from collisions that are held back until there are [many], or one has waited for a second.
  */
-internal class CollisionLog(
-    files: RunFiles,
-    haveSpins: Boolean,
-    haveEdges: Boolean,
-    private val many: Int = MANY,
-) : Output {
+internal class CollisionLog(files: RunFiles, haveSpins: Boolean, haveEdges: Boolean, private val many: Int = MANY) :
+    Output {
     private val rows = CollisionColumns.of(haveSpins, haveEdges)
     private val file = files.table(rows)
     private var held = HeldCollisions()

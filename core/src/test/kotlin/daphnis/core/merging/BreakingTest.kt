@@ -22,7 +22,10 @@ import kotlin.math.sqrt
 
 /** Spheres that break: what pieces have together, what it costs, and when nothing breaks. */
 class BreakingTest {
-    private fun Population.energy() = (0 until size).sumOf { 0.5 * mass[it] * (vx[it] * vx[it] + vy[it] * vy[it] + vz[it] * vz[it]) }
+    private fun Population.energy() = (0 until size).sumOf {
+        0.5 * mass[it] *
+            (vx[it] * vx[it] + vy[it] * vy[it] + vz[it] * vz[it])
+    }
 
     private fun Population.sum(column: DoubleArray) = (0 until size).sumOf { mass[it] * column[it] }
 
@@ -48,7 +51,9 @@ class BreakingTest {
 
     @ParameterizedTest
     @ValueSource(ints = [2, 3, 4, 5, 12, 1000])
-    fun `pieces have the mass, centre, momentum and volume of their sphere, and the energy that the impact had for them`(n: Int) {
+    fun `pieces have the mass, centre, momentum and volume of their sphere, and the energy that the impact had for them`(
+        n: Int,
+    ) {
         val rule = BreakRule(0.5, n, 0.3, 1e-3)
         val population = pair(2.0, radius = 0.7)
         val before = population.copy()
@@ -118,12 +123,20 @@ class BreakingTest {
         val places = RandomPlacement(2_000).place(DoubleArray(100) { 1.0 }, box, BooleanArray(3), random)
         fun velocities() = DoubleArray(100) { random.nextGaussian() }
         val population = Population(
-            places.x, places.y, places.z, velocities(), velocities(), velocities(),
-            DoubleArray(100) { 1.0 }, DoubleArray(100) { 1.0 },
+            places.x,
+            places.y,
+            places.z,
+            velocities(),
+            velocities(),
+            velocities(),
+            DoubleArray(100) { 1.0 },
+            DoubleArray(100) { 1.0 },
         )
         val energy = population.energy()
         val momentum = population.sum(population.vx)
-        val forcing = CollisionForcing.builder(ConstantRestitution(1.0)).breaking(BreakRule(1.0, 3, 0.2, 0.4, 7)).build()
+        val forcing = CollisionForcing.builder(
+            ConstantRestitution(1.0),
+        ).breaking(BreakRule(1.0, 3, 0.2, 0.4, 7)).build()
         Simulation(population, Periodic(box), forcing, FixedTimeStep(0.1)).use { simulation ->
             repeat(200) { simulation.advance() }
         }
@@ -142,8 +155,14 @@ class BreakingTest {
         val places = RandomPlacement(2_000).place(DoubleArray(100) { 0.8 }, box, BooleanArray(3), random)
         fun velocities() = DoubleArray(100) { 2 * random.nextGaussian() }
         val plain = Population(
-            places.x, places.y, places.z, velocities(), velocities(), velocities(),
-            DoubleArray(100) { 0.8 }, DoubleArray(100) { 1.0 },
+            places.x,
+            places.y,
+            places.z,
+            velocities(),
+            velocities(),
+            velocities(),
+            DoubleArray(100) { 0.8 },
+            DoubleArray(100) { 1.0 },
         )
         val population = if (byMaterial) plain.withMaterial(IntArray(100) { it % 2 }, listOf("a", "b")) else plain
         val one = ConstantRestitution(0.8)
@@ -175,7 +194,13 @@ class BreakingTest {
             { BreakRule(1.0, 1001, 0.1, 0.1) },
             { BreakRule(1.0, 2, 0.0, 0.1) },
             { BreakRule(1.0, 2, 0.1, 0.0) },
-            { step(pair(2.0).withSpin(DoubleArray(2), DoubleArray(2), DoubleArray(2)), BreakRule(0.5, 2, 0.1, 0.1), 0.5) },
+            {
+                step(
+                    pair(2.0).withSpin(DoubleArray(2), DoubleArray(2), DoubleArray(2)),
+                    BreakRule(0.5, 2, 0.1, 0.1),
+                    0.5,
+                )
+            },
         )) {
             assertThrows(IllegalArgumentException::class.java) { act() }
         }

@@ -37,8 +37,10 @@ class BoundStateTest {
     fun `bridges go over`() = assertGoesOn()
 
     @Test
-    fun `wells go over`() =
-        assertGoesOn("interaction={\"type\": \"stepped\", \"steps\": [[1.5, -0.5], [1.2, 0.2]]}", "restitution.coefficient=1")
+    fun `wells go over`() = assertGoesOn(
+        "interaction={\"type\": \"stepped\", \"steps\": [[1.5, -0.5], [1.2, 0.2]]}",
+        "restitution.coefficient=1",
+    )
 
     @Test
     fun `a run that begins again from its own start does so with its bridges`() {
@@ -62,7 +64,13 @@ class BoundStateTest {
         val whole = H5md.read(file).single()
         H5md.write(listOf(whole, whole), file, "test")
         assertNull(H5md.read(file).last().bound)
-        for (bad in listOf(intArrayOf(0, 1, 2), intArrayOf(1, 0), intArrayOf(0, 1_000_000), intArrayOf(0, 1, 0, 1), intArrayOf(3, 3))) {
+        for (bad in listOf(
+            intArrayOf(0, 1, 2),
+            intArrayOf(1, 0),
+            intArrayOf(0, 1_000_000),
+            intArrayOf(0, 1, 0, 1),
+            intArrayOf(3, 3),
+        )) {
             written(bad)
             val e = assertThrows(FormatException::class.java) { H5md.read(file) }
             assertTrue("connectivity/bound" in e.message!! && '\n' !in e.message!!) { e.message!! }
@@ -78,7 +86,10 @@ class BoundStateTest {
         run("whole").use { it.execute() }
         val recorded = Run.open(home.resolve("whole"))
         fun notices(bound: IntArray?) =
-            run("n", RunOrigin(recorded, recorded.atStep(20).with(bound = bound))).use { it.notices }.filter { "bridges" in it }
+            run("n", RunOrigin(recorded, recorded.atStep(20).with(bound = bound))).use { it.notices }.filter {
+                "bridges" in
+                    it
+            }
         assertEquals(1, notices(null).size)
     }
 

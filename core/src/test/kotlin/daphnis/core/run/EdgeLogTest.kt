@@ -34,7 +34,8 @@ class EdgeLogTest {
             assertTrue(listOf("x", "y", "z").sumOf { row.getValue("separation_$it").let { d -> d * d } } > 1.2)
         }
         val lost = all.sumOf { row ->
-            val restitution = 0.5 * row.getValue("impulse") * (1 - row.getValue("coefficient")) * row.getValue("impact_speed")
+            val restitution =
+                0.5 * row.getValue("impulse") * (1 - row.getValue("coefficient")) * row.getValue("impact_speed")
             row.getValue("surface_dissipation") + if (row.getValue("edge") == 0.0) restitution else 0.0
         }
         val before = rows("series.csv").first().getValue("kinetic_energy")

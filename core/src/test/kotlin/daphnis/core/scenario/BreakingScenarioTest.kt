@@ -34,7 +34,9 @@ class BreakingScenarioTest {
                 deepest = again.maxOverlap
             }
         }
-        assertTrue(whole.broken > 50 && whole.mergers > 20 && deepest > 0.1) { "${whole.broken} ${whole.mergers} $deepest" }
+        assertTrue(whole.broken > 50 && whole.mergers > 20 && deepest > 0.1) {
+            "${whole.broken} ${whole.mergers} $deepest"
+        }
         assertEquals(60 + 2 * whole.broken - whole.mergers, whole.particles.toLong())
     }
 
@@ -57,7 +59,14 @@ class BreakingScenarioTest {
         )) {
             val e = assertThrows(InputException::class.java) {
                 // Discs do not merge either, which is said first.
-                val others = if (setting.startsWith("dim")) arrayOf("merging=null", "box.lengths=[9,9]") else arrayOf("merging=null")
+                val others = if (setting.startsWith(
+                        "dim",
+                    )
+                ) {
+                    arrayOf("merging=null", "box.lengths=[9,9]")
+                } else {
+                    arrayOf("merging=null")
+                }
                 ScenarioSetup.of(scenario(setting, *others), "test")
             }
             assertTrue(words in e.message!!) { "$setting: ${e.message}" }
