@@ -100,7 +100,8 @@ public class StepPhases internal constructor(
     public fun applyBoundary(end: Double) {
         if (boundary !is PerSphereBoundary) {
             boundary.endStep(population, end)
-            if (collisions?.states != null) population.forget(partition.gather(population.takeRemoved()))
+            val gone = population.news?.takeRemoved() ?: IntArray(0)
+            if (collisions?.states != null) population.forget(partition.gather(gone))
             return
         }
         // Without forces nothing else is done to the spheres, which are in the cache here.

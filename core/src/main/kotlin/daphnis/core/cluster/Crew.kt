@@ -98,11 +98,11 @@ internal class Crew(private val mail: Mail, val nodes: List<FleetNode>, var step
             }
             mail.receive(rank)
         }
-        if (crossings.any { it.hasRemaining() }) population.reserveCrossings()
-        population.renewPlaces(columns.id)
+        population.expect(columns.id, crossings.minOf { it.int })
+        if (crossings.any { it.hasRemaining() }) population.crossings.reserve()
         population.take(columns)
         for (message in crossings) {
-            while (message.hasRemaining()) population.addCrossingOf(message.int, message.int, message.int)
+            while (message.hasRemaining()) population.crossings.add(message.int, message.int, message.int)
         }
     }
 

@@ -221,7 +221,7 @@ internal class NodeSteps(
         crew = made
         // Another thread may have closed this meanwhile, and then has not seen the crew.
         if (isClosed) throw MailClosedException("the simulation is closed")
-        val places = state.idsByPlace
+        val places = state.idPlaces
         val threads = IntArray(nodes.size) { nodes[it].threads }
         this.threads = threads.sum()
         val records = forcing.record != null

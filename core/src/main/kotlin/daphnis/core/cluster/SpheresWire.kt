@@ -1,5 +1,6 @@
 package daphnis.core.cluster
 
+import daphnis.core.population.PartNews
 import daphnis.core.population.Population
 import daphnis.core.population.PopulationColumns
 import daphnis.core.population.SphereColumns
@@ -42,11 +43,11 @@ internal object SpheresWire {
         }
     }
 
-    /** Sends all of [population] and what boxes were crossed since the last time. */
+    /** Sends all of [population] and, since the last time, from which id on spheres are new and what boxes were crossed. */
     fun send(mail: Mail, to: Int, population: Population) {
         send(mail, to, population, 0, population.size)
-        val message = MessageWriter()
-        population.takeCrossings { id, axis, boxes -> message.int(id).int(axis).int(boxes) }
+        val message = MessageWriter().int(population.news?.takeBorn() ?: PartNews.NONE)
+        population.crossings.drain { id, axis, boxes -> message.int(id).int(axis).int(boxes) }
         mail.send(to, message.message())
     }
 

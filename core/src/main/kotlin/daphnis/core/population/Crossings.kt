@@ -7,7 +7,7 @@ package daphnis.core.population
  *
  * @param areFew whether it is a small part of all spheres that crosses before the next [drain]
  */
-internal class Crossings(val places: IdPlaces, val areFew: Boolean = false) {
+internal class Crossings(val places: IdPlaces, private val areFew: Boolean = false) {
     @Volatile
     private var counts: Counts? = null
     private var isTransaction = false
@@ -20,7 +20,7 @@ internal class Crossings(val places: IdPlaces, val areFew: Boolean = false) {
     private val isEmpty: Boolean get() = counts == null
 
     /** Adds the counts of the spheres with these [ids] to [other]. */
-    fun copyInto(other: Crossings, ids: IntArray) {
+    fun copyInto(other: Crossings, ids: Iterable<Int>) {
         if (isEmpty) return
         for (axis in 0 until AXES) {
             for (id in ids) {
@@ -28,6 +28,15 @@ internal class Crossings(val places: IdPlaces, val areFew: Boolean = false) {
                 if (boxes != 0) other.add(id, axis, boxes)
             }
         }
+    }
+
+    /** With places for [ids], the counts of the spheres [there] among them. */
+    fun only(ids: IntArray, there: Iterable<Int>): Crossings =
+        Crossings(IdPlaces(ids.copyOf().apply { sort() })).also { copyInto(it, there) }
+
+    /** The same counts, with places for the new [ids] too, which are ascending, and 0 for them and all above. */
+    fun alsoFor(ids: IntArray): Crossings = Crossings(places.with(ids), areFew).also { all ->
+        copyInto(all, (0 until places.count).map(places::idAt).filter { it < ids[0] })
     }
 
     fun of(id: Int, axis: Int): Int = counts?.get(places.of(id), axis) ?: 0

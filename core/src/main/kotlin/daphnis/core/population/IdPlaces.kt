@@ -23,12 +23,12 @@ internal class IdPlaces private constructor(
     /** The place of [id]; any number outside `0 until count` when no sphere had it. */
     fun of(id: Int): Int = ranked?.binarySearch(id) ?: id
 
-    /** Whether there is a place for [id]. */
-    fun has(id: Int): Boolean = of(id) in 0 until count
-
-    /** These places, and such for [ids], which are ascending and above all others. */
-    fun with(ids: IntArray): IdPlaces =
-        IdPlaces(ranked?.plus(ids), if (ranked == null) maxOf(count, ids.last() + 1) else count + ids.size)
+    /** These places, and such for [ids], which are ascending. */
+    fun with(ids: IntArray): IdPlaces {
+        if (ranked == null) return IdPlaces(null, maxOf(count, ids.last() + 1))
+        val all = (ranked.asList() + ids.asList()).distinct().toIntArray().apply { sort() }
+        return IdPlaces(all, all.size)
+    }
 
     companion object {
         /** The most places per sphere, and how many more may be empty. */

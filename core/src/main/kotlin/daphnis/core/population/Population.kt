@@ -1,6 +1,5 @@
 package daphnis.core.population
 
-import daphnis.core.growth.IntList
 import daphnis.core.population.SphereQuantity.LAST_COLLISION
 import java.util.function.IntPredicate
 import java.util.stream.IntStream
@@ -43,17 +42,21 @@ public class Population internal constructor(
     /** Number of spheres. */
     override val size: Int get() = x.size
 
-    private var idPlaces: IdPlaces
-    private var crossings: Crossings
+    /** See [boxesCrossed]; of a part since [beginPart], those of spheres that are elsewhere now with them. */
+    internal var crossings: Crossings
+        private set
+
+    /** Where ids have their places. */
+    internal val idPlaces: IdPlaces get() = crossings.places
 
     /** The crossings at the start of the step under way, if spheres were added in it; otherwise the same object. */
     private var crossingsBefore: Crossings
     private var indexByPlace = IntArray(0)
     private var indexIsCurrent = false
 
-    /** Whether this is a part of another population, see [beginPart]; then what is removed. */
-    private var isPart = false
-    private val removed = IntList()
+    /** Of a part of another population, see [beginPart]; else null. */
+    internal var news: PartNews? = null
+        private set
 
     /**
      * @param x positions, in the scenario's unit of length; likewise [y], [z]
@@ -80,8 +83,7 @@ public class Population internal constructor(
     init {
         PopulationCheck.columns(now)
         MaterialNames.check(this, materials)
-        idPlaces = IdPlaces(PopulationCheck.sortedIds(id))
-        crossings = Crossings(idPlaces)
+        crossings = Crossings(IdPlaces(PopulationCheck.sortedIds(id)))
         crossingsBefore = crossings
     }
 
@@ -133,15 +135,12 @@ public class Population internal constructor(
         for (k in 0 until size) if (keep.test(k)) kept[n++] = k
         if (n == size) return
         val left = PopulationColumns.picked(now, kept.copyOf(n))
-        if (isPart) for (k in 0 until size) if (!keep.test(k)) removed.add(id[k])
+        news?.let { for (k in 0 until size) if (!keep.test(k)) it.remove(id[k]) }
         sets.replace(left)
         indexIsCurrent = false
         // Partners of a part may be elsewhere, see [forget].
-        if (!isPart) for (k in left.bonds.indices) left.bonds[k] = Bonds.only(left.bonds[k]) { indexOf(it) >= 0 }
+        if (news == null) for (k in left.bonds.indices) left.bonds[k] = Bonds.only(left.bonds[k]) { indexOf(it) >= 0 }
     }
-
-    /** Of a part: the ids of the spheres that were removed in this step, once. */
-    internal fun takeRemoved(): IntArray = removed.toArray().also { removed.clear() }
 
     /** The spheres [gone], some of which were elsewhere, are nobody's partners any more; after the drift of a step. */
     internal fun forget(gone: IntArray): Unit = Bonds.forget(bonds, gone)
@@ -160,39 +159,29 @@ public class Population internal constructor(
         for (id in others.id) require(indexOf(id) < 0) { "id $id is taken; a sphere that is added needs a new one" }
         PopulationCheck.mayJoin(this, others)
         val all = PopulationColumns.joined(listOf(now, others.now))
-        val counts = Crossings(IdPlaces(all.id.copyOf().apply { sort() }))
-        for (population in listOf(this, others)) population.crossings.copyInto(counts, population.id)
+        val counts = crossings.only(all.id, id.asList())
+        others.crossings.copyInto(counts, others.id.asList())
         sets.replace(all)
         count(counts)
     }
 
-    /**
-     * Adds the spheres [others], which are none of another population, after those that are there. [ids] are all that are
-     * added on any node, ascending and above those that are there.
-     */
+    /** Adds [others]; [ids] are all that are added on any node, ascending, above those that are there but maybe not gone. */
     internal fun join(others: PopulationColumns, ids: IntArray) {
+        val before = id
         if (others.size > 0) sets.replace(PopulationColumns.joined(listOf(now, others)))
-        if (isPart) placeAlso(ids) else renewPlaces(id)
+        count(if (news != null) crossings.alsoFor(ids) else crossings.only(id, before.asList()))
+        news?.bear(ids[0])
     }
 
-    /** Makes places for those of [ids] that have none, such as those of spheres that nodes have added. */
-    internal fun renewPlaces(ids: IntArray) {
-        if (ids.all { idPlaces.has(it) }) return
-        val counts = Crossings(IdPlaces(ids.copyOf().apply { sort() }))
-        crossings.copyInto(counts, id)
-        count(counts)
-    }
-
-    private fun placeAlso(ids: IntArray) {
-        val counts = Crossings(idPlaces.with(ids), crossings.areFew)
-        crossings.copyInto(counts, IntArray(places) { idPlaces.idAt(it) })
-        count(counts)
+    /** The spheres that will be taken are [ids], and of them those from [born] on are new. */
+    internal fun expect(ids: IntArray, born: Int) {
+        val there = id.filter { it < born }
+        if (born != PartNews.NONE) count(crossings.only((ids.asList() + there).distinct().toIntArray(), there))
     }
 
     /** From now on crossings are counted by [counts], which has its places. */
     private fun count(counts: Crossings) {
         if (sets.isInStep) counts.begin()
-        idPlaces = counts.places
         crossings = counts
         indexIsCurrent = false
     }
@@ -204,25 +193,11 @@ public class Population internal constructor(
      * @param areFew see [Crossings]
      */
     internal fun beginPart(places: IdPlaces, areFew: Boolean = true) {
-        isPart = true
-        idPlaces = places
+        news = PartNews()
         crossings = Crossings(places, areFew)
         crossingsBefore = crossings
         indexIsCurrent = false
     }
-
-    /** Where ids have their places. */
-    internal val idsByPlace: IdPlaces get() = idPlaces
-
-    /** Hands the boxes crossed since [beginPart], or since the last call, to [take], and counts from 0 again. */
-    internal fun takeCrossings(take: (id: Int, axis: Int, boxes: Int) -> Unit): Unit =
-        crossings.drain { id, axis, boxes -> take(id, axis, boxes) }
-
-    /** After this, [addCrossingOf] takes no memory. */
-    internal fun reserveCrossings(): Unit = crossings.reserve()
-
-    /** Adds to [boxesCrossed] of the sphere [id], which may be elsewhere now. */
-    internal fun addCrossingOf(id: Int, axis: Int, boxes: Int): Unit = crossings.add(id, axis, boxes)
 
     /** A deep copy with these angular velocities by index, see [SphereColumns.wx]; of the length of the others, finite. */
     public fun withSpin(wx: DoubleArray, wy: DoubleArray, wz: DoubleArray): Population {
@@ -248,7 +223,7 @@ public class Population internal constructor(
     public fun copy(): Population = copyOf(PopulationColumns.joined(listOf(this)), materials)
 
     private fun copyOf(columns: PopulationColumns, names: List<String>) =
-        Population(columns, names).also { copy -> crossings.copyInto(copy.crossings, id) }
+        Population(columns, names).also { copy -> crossings.copyInto(copy.crossings, id.asList()) }
 
     /**
      * Columns to which a whole step is written, and which [take] makes those of the population. Until then the
@@ -287,7 +262,7 @@ public class Population internal constructor(
 
     /** Begins a step that can be taken back until [commitStep]. */
     internal fun beginStep() {
-        removed.clear()
+        news?.takeRemoved()
         sets.begin()
         crossingsBefore = crossings
         crossings.begin()
@@ -303,10 +278,9 @@ public class Population internal constructor(
     /** Restores everything as it was at [beginStep], but for what was written to arrays of that moment. Cannot fail. */
     internal fun takeStepBack() {
         if (!sets.takeBack()) return
-        removed.clear()
+        news?.takeRemoved()
         indexIsCurrent = false
         crossings = crossingsBefore
-        idPlaces = crossings.places
         crossings.takeBack()
     }
 

@@ -78,7 +78,7 @@ class CrewTest {
     fun `boxes crossed that no memory holds leave the population as it was`() {
         val room = MailRoom(1)
         val part = populationOf(Sphere(x = 5.0, r = 0.1))
-        part.addCrossingOf(0, 1, 3)
+        part.crossings.add(0, 1, 3)
         SpheresWire.send(room.mail(0), Mail.LEADER, part)
         val home = populationOf(Sphere(x = 1.0, r = 0.1))
         // More places than an array can have.

@@ -9,6 +9,7 @@ import daphnis.core.run.Run
 import daphnis.core.run.RunException
 import daphnis.core.run.Summary
 import daphnis.core.scenario.ScenarioJson
+import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -131,6 +132,30 @@ class NodeRowsTest {
         val found = Run.resume(to, engines = nodes(2)).use { it.execute() }
         assertEquals(expected.stateDigest, found.stateDigest)
         assertSameRows()
+    }
+
+    @Test
+    fun `pieces that get ids of spheres that are gone have crossed no boxes of theirs`() {
+        // Spheres that merge and break all the time, and are seen now and then.
+        val settings = arrayOf("output.snapshotEvery=1", "until=2", "merging.speed=3", "breaking.smallest=0.05")
+        serial(RowCase.BREAKING, *settings)
+        nodes(ThreadFleet(3), RowCase.BREAKING, Output { }, *settings)
+        val serial = Run.open(home.resolve("serial"))
+        val found = Run.open(home.resolve("nodes"))
+        var reused = 0
+        var highest = -1
+        var hasFallen = false
+        for (step in serial.steps()) {
+            val (one, other) = serial.atStep(step) to found.atStep(step)
+            assertArrayEquals(one.id, other.id)
+            for (axis in 0..2) assertArrayEquals(one.image!![axis], other.image!![axis]) { "step $step" }
+            if (one.id.last() < highest) reused++
+            val now = one.id.last()
+            if (hasFallen && now > highest) reused++
+            hasFallen = now < highest || hasFallen && now == highest
+            highest = now
+        }
+        assertTrue(reused > 1) { "ids were never free again" }
     }
 
     @Test

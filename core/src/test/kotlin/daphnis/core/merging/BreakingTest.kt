@@ -51,7 +51,7 @@ class BreakingTest {
 
     @ParameterizedTest
     @ValueSource(ints = [2, 3, 4, 5, 12, 1000])
-    fun `pieces have the mass, centre, momentum and volume of their sphere, and the energy that the impact had for them`(
+    fun `pieces have the mass, centre, momentum and volume of their sphere, and the energy that the impact had`(
         n: Int,
     ) {
         val rule = BreakRule(0.5, n, 0.3, 1e-3)

@@ -54,7 +54,7 @@ class BreakingScenarioTest {
             "dimensions=2" to "breaking: needs spheres in three dimensions",
             "bonds={\"length\": 2, \"greatest\": 1.2}" to "without interaction and bonds",
             "interaction={\"type\": \"square-well\", \"ratio\": 1.2, \"depth\": 1}" to "without interaction and bonds",
-            "roughness={\"type\": \"constant\", \"coefficient\": 0.5}" to "breaking: needs smooth spheres without spins",
+            "roughness={\"type\": \"constant\", \"coefficient\": 0.5}" to "smooth spheres without spins",
             "growth={\"rate\": 0.1}" to "growth",
         )) {
             val e = assertThrows(InputException::class.java) {

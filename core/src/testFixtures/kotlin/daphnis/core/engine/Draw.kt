@@ -242,6 +242,6 @@ class Draw(override val seed: Long) : Case {
                 ", $it"
             }.joinToString(
                 "",
-            )}, dt $dt$surface${if (interactions != null) ", with steps" else ""}${if (mergeRule != null) ", merging" else ""}" +
-            if (breakRule != null) ", breaking" else ""
+            )}, dt $dt$surface${if (interactions != null) ", with steps" else ""}" +
+            (if (mergeRule != null) ", merging" else "") + (if (breakRule != null) ", breaking" else "")
 }
