@@ -137,7 +137,7 @@ class NodeRowsTest {
     @Test
     fun `pieces that get ids of spheres that are gone have crossed no boxes of theirs`() {
         // Spheres that merge and break all the time, and are seen now and then.
-        val settings = arrayOf("output.snapshotEvery=1", "until=2", "merging.speed=3", "breaking.smallest=0.05")
+        val settings = arrayOf("output.snapshotEvery=1", "until=3", "merging.speed=4", "breaking.speed=5")
         serial(RowCase.BREAKING, *settings)
         nodes(ThreadFleet(3), RowCase.BREAKING, Output { }, *settings)
         val serial = Run.open(home.resolve("serial"))
