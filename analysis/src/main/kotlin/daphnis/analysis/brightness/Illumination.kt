@@ -1,6 +1,8 @@
 package daphnis.analysis.brightness
 
 import daphnis.analysis.occultation.LineOfSight
+import java.math.BigDecimal
+import java.math.RoundingMode
 import kotlin.math.PI
 import kotlin.math.abs
 import kotlin.math.sqrt
@@ -73,6 +75,28 @@ public class Illumination(
         @JvmStatic
         public fun mostPhase(elevation: Double, lightElevation: Double): Double = PI - abs(elevation + lightElevation)
 
+        /**
+         * What the phase angle of an eye at [elevation] and light at [lightElevation] must be, if [phaseAngle] cannot be
+         * it, in words; null if it can. All in degrees.
+         */
+        @JvmStatic
+        public fun problem(elevation: Double, lightElevation: Double, phaseAngle: Double): String? {
+            val least = abs(elevation - lightElevation)
+            val most = 2 * RIGHT - abs(elevation + lightElevation)
+            if (abs(phaseAngle) >= least - SLACK && abs(phaseAngle) <= most + SLACK) return null
+            fun said(degrees: Double) =
+                BigDecimal(degrees).setScale(DIGITS, RoundingMode.HALF_EVEN).stripTrailingZeros().toPlainString()
+            val apart = "with the eye at ${said(elevation)} and the light at ${said(lightElevation)}"
+            return "${said(least)} to ${said(most)} degrees in size $apart"
+        }
+
+        /** Whether light may stand at an elevation of so many [degrees]. */
+        @JvmStatic
+        public fun isElevation(degrees: Double): Boolean = abs(degrees) >= LineOfSight.LOWEST && abs(degrees) <= RIGHT
+
+        /** What is right for it. */
+        public const val ELEVATIONS: String = "in ${LineOfSight.LOWEST}..90 degrees, or as far below 0"
+
         internal fun requireLight(radians: Double) {
             val lowest = Math.toRadians(LineOfSight.LOWEST)
             require(abs(radians) in lowest..PI / 2) {
@@ -81,6 +105,9 @@ public class Illumination(
         }
 
         /** Radians by which angles from degrees may miss a bound. */
-        private const val ROUNDING = 1e-12
+        private const val ROUNDING = 1e-10
+        private const val SLACK = 1e-9
+        private const val RIGHT = 90.0
+        private const val DIGITS = 6
     }
 }

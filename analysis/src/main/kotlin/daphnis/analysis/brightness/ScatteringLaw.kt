@@ -9,11 +9,11 @@ import kotlin.math.sqrt
  * has the radiance I; the light comes with the flux πF through an area across it. All laws are reciprocal: I/F over μ₀
  * stays the same when light and eye change places.
  *
- * @property name as the command line has it
+ * @property words what scatters, in words
  * @property albedo of a Lambert surface, the single-scattering albedo ϖ₀ of the grains of another, in 0..1, or the
  *   spherical albedo A that goes with a phase function of whole spheres
  */
-public abstract class ScatteringLaw internal constructor(public val name: String, public val albedo: Double) {
+public abstract class ScatteringLaw internal constructor(public val words: String, public val albedo: Double) {
     init {
         require(albedo in 0.0..1.0) { "albedo is $albedo; it must be in [0, 1]" }
     }
@@ -49,7 +49,7 @@ public abstract class ScatteringLaw internal constructor(public val name: String
      */
     internal abstract fun weight(from: Double, to: Double, angle: Double): Double
 
-    private class Lambert(albedo: Double) : ScatteringLaw("lambert", albedo) {
+    private class Lambert(albedo: Double) : ScatteringLaw("Lambert surfaces of the albedo $albedo", albedo) {
         override fun radiance(light: Double, eye: Double, angle: Double) = albedo * light
 
         override fun ofSphere(angle: Double) =
@@ -61,8 +61,12 @@ public abstract class ScatteringLaw internal constructor(public val name: String
         override fun weight(from: Double, to: Double, angle: Double) = albedo
     }
 
-    private class LommelSeeliger(name: String, albedo: Double, override val table: PhaseTable?, private val isWhole: Boolean) :
-        ScatteringLaw(name, albedo) {
+    private class LommelSeeliger(
+        words: String,
+        albedo: Double,
+        override val table: PhaseTable?,
+        private val isWhole: Boolean,
+    ) : ScatteringLaw(words, albedo) {
         override fun radiance(light: Double, eye: Double, angle: Double) =
             grains(angle) / 4 * (light / (light + eye))
 
@@ -81,6 +85,7 @@ public abstract class ScatteringLaw internal constructor(public val name: String
     }
 
     public companion object {
+        private const val SEELIGER = "surfaces of Lommel and Seeliger"
         private const val PANELS = 2000
         private const val LEAST = 1e-12
         private const val NEAR = 1e-2
@@ -98,7 +103,7 @@ public abstract class ScatteringLaw internal constructor(public val name: String
         @JvmStatic
         @JvmOverloads
         public fun lommelSeeliger(albedo: Double, grains: PhaseTable? = null): ScatteringLaw =
-            LommelSeeliger("lommel-seeliger", albedo, grains, false)
+            LommelSeeliger("$SEELIGER of the single-scattering albedo $albedo", albedo, grains, false)
 
         /**
          * A surface of Lommel and Seeliger whose f(α) is such that a sphere has the phase function [whole] P(α), times the
@@ -106,7 +111,7 @@ public abstract class ScatteringLaw internal constructor(public val name: String
          */
         @JvmStatic
         public fun ofSpheres(albedo: Double, whole: PhaseTable): ScatteringLaw =
-            LommelSeeliger("tabulated", albedo, whole, true)
+            LommelSeeliger("$SEELIGER, and $albedo times the phase function given", albedo, whole, true)
 
         /** 1 − sin(α/2) tan(α/2) ln cot(α/4), by its series near α = π. */
         internal fun ofDisc(angle: Double): Double {

@@ -95,7 +95,7 @@ class BrightnessTest {
                 assertEquals(product, law.ofSphere(angle), 1e-12)
                 val seen = Brightness(listOf(line), law, 800).of(state)
                 assertEquals(product / 4 * PI / 25, seen[1], 4e-3 * product / 4 * PI / 25 + 2e-5) {
-                    "${law.name} at $degrees"
+                    "${law.words} at $degrees"
                 }
             }
         }
@@ -148,7 +148,7 @@ class BrightnessTest {
                     assertEquals(Math.toRadians(25.0), again.lightAzimuth, 1e-12)
                     val forth = Brightness(listOf(there), law, 500).of(state)[1] * sin(there.eye.elevation)
                     val back = Brightness(listOf(again), law, 500).of(turned)[1] * sin(eye.elevation)
-                    assertEquals(forth, back, 0.01 * forth) { "${boundary.javaClass.simpleName} ${law.name} $light" }
+                    assertEquals(forth, back, 0.01 * forth) { "${boundary.javaClass.simpleName} ${law.words} $light" }
                     assertTrue(forth > 1e-3)
                 }
             }
