@@ -63,8 +63,9 @@ public class BrightnessOptions @JvmOverloads constructor(
     internal fun check(options: AnalysisOptions) {
         for (elevation in elevations(options)) checkLine("phaseAngle", elevation, phase(elevation))
         for (angle in phaseAngles) checkLine("phaseAngles", options.elevation, angle)
-        val rows = observed?.lines.orEmpty()
-        for (line in rows) checkTable("observedBrightness", Math.toDegrees(line.phaseAngle))
+        for (line in observed?.lines.orEmpty()) {
+            checkTable("observedBrightness", ObservedRows.degrees(line.phaseAngle))
+        }
     }
 
     private fun checkLine(argument: String, elevation: Double, angle: Double) {
