@@ -182,8 +182,8 @@ def analyze(
         brightness: law of scattering of the spheres, ``lambert``, ``lommel-seeliger`` or ``tabulated``, for I/F over
             `elevations` and over `azimuths` of a whole turn; no brightness without it.
         albedo: of that law, in 0..1.
-        phase_function: path of a CSV of phase_angle, phase_function: of grains with ``lommel-seeliger``, of spheres with
-            ``tabulated``.
+        phase_function: path of a CSV of phase_angle, phase_function: of grains with ``lommel-seeliger``, of spheres
+            with ``tabulated``.
         light_elevation: of the light, in degrees, below 0 for light from below; that of the eye without it.
         phase_angle: of that grid, in degrees, below 0 with the light at smaller azimuths; the least without it.
         phase_angles: over which I/F is computed at `elevation` and `azimuth`, in degrees; a choice without them.
@@ -284,7 +284,9 @@ def _law(name: str, albedo: float, phase_function: str | os.PathLike[str] | None
     table = None if phase_function is None else tables.read(java_path(Path(phase_function)))
     if name == "lambert":
         return laws.lambert(float(albedo))
-    return laws.lommelSeeliger(float(albedo), table) if name == "lommel-seeliger" else laws.ofSpheres(float(albedo), table)
+    if name == "lommel-seeliger":
+        return laws.lommelSeeliger(float(albedo), table)
+    return laws.ofSpheres(float(albedo), table)
 
 
 def _brightness(

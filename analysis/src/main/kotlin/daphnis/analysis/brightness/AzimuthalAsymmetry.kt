@@ -6,13 +6,13 @@ import kotlin.math.hypot
 
 /**
  * How the brightness of a ring depends on the azimuth at which the eye stands, as its wakes make it: twice in a turn.
- * From the even harmonics of the mean over the states, the second and, from five azimuths in half a turn on, the fourth.
- * Errors are those of the jackknife pseudovalues over the states.
+ * From the even harmonics of the mean over the states, the second and, from five azimuths in half a turn on, the
+ * fourth. Errors are those of the jackknife pseudovalues over the states.
  *
  * @property amplitude (largest − smallest)/mean of these harmonics; of noise alone it is about 2.5 of its errors
- * @property minimum azimuth of the smallest less a quarter of a turn, in radians, in [−π/2, π/2). The eye sees an ansa at
- *   an azimuth of a quarter of a turn, and particles move toward smaller azimuths: so it is how far before the ansae, in
- *   the direction of motion, a ring is darkest
+ * @property minimum azimuth of the smallest less a quarter of a turn, in radians, in [−π/2, π/2). The eye sees an ansa
+ *   at an azimuth of a quarter of a turn, and particles move toward smaller azimuths: so it is how far before the
+ *   ansae, in the direction of motion, a ring is darkest
  * @property isSeen whether the second harmonic is four of its errors away from 0; if not, [minimum] means nothing
  */
 public class AzimuthalAsymmetry private constructor(
@@ -29,8 +29,8 @@ public class AzimuthalAsymmetry private constructor(
         private const val ROUNDING = 1e-9
 
         /**
-         * Of [brightness], for each of as many azimuths, evenly over a whole turn from 0 on, a series over the states in
-         * order of time.
+         * Of [brightness], for each of as many azimuths, evenly over a whole turn from 0 on, a series over the states
+         * in order of time.
          *
          * @return null for fewer than six azimuths or an odd number, no state, or no light
          */

@@ -42,8 +42,7 @@ public class BrightnessComparison(public val observed: ObservedBrightness, publi
     /** [chiSquare] of the patch brighter by [factor], which takes one from what is expected of it. */
     public val chiSquareOfFactor: Double get() = chiSquare(factor)
 
-    private fun chiSquare(times: Double) =
-        sum { k -> (observed.values[k] - times * seen[k].mean).let { it * it } }
+    private fun chiSquare(times: Double) = sum { k -> (observed.values[k] - times * seen[k].mean).let { it * it } }
 
     /** Σ [of] over the squares of the errors. */
     private inline fun sum(of: (Int) -> Double): Double = errors.indices.sumOf { of(it) / (errors[it] * errors[it]) }

@@ -61,7 +61,13 @@ internal class FieldRay(private val field: SphereField) {
             var face: Int
             while (true) {
                 if (test(isAny) && isAny) return true
-                face = if (next[0] <= next[1] && next[0] <= next[2]) 0 else if (next[1] <= next[2]) 1 else 2
+                face = if (next[0] <= next[1] && next[0] <= next[2]) {
+                    0
+                } else if (next[1] <= next[2]) {
+                    1
+                } else {
+                    2
+                }
                 if (before + next[face] >= nearest) return true
                 cell[face] += step[face]
                 if (cell[face] < 0 || cell[face] >= field.count[face]) break

@@ -11,8 +11,8 @@ import kotlin.math.sqrt
  * Where a patch is lit from and seen from: parallel light from infinity, and a distant eye above the ring plane.
  *
  * @property eye rays climb along it toward the eye; its azimuth is the direction in the plane in which the eye stands
- * @property lightElevation B₀ of the light above the ring plane in radians, of size [LineOfSight.LOWEST] degrees to π/2;
- *   below 0 for light from below, when the eye sees the unlit face
+ * @property lightElevation B₀ of the light above the ring plane in radians, of size [LineOfSight.LOWEST] degrees to
+ *   π/2; below 0 for light from below, when the eye sees the unlit face
  * @property phaseAngle α between the directions of light and eye in radians, of size [leastPhase] to [mostPhase]; the
  *   light stands from the eye toward larger azimuths, below 0 toward smaller ones
  */
@@ -41,8 +41,8 @@ public class Illumination(
     }
 
     /**
-     * How far the azimuths of light and eye are apart, Δ: sin²(Δ/2) cos B cos B₀ = sin²(α/2) − sin²((B − B₀)/2), the law
-     * of cosines in the form that stays exact at small angles.
+     * How far the azimuths of light and eye are apart, Δ: sin²(Δ/2) cos B cos B₀ = sin²(α/2) −
+     * sin²((B − B₀)/2), the law of cosines in the form that stays exact at small angles.
      */
     private fun beside(least: Double): Double {
         if (abs(abs(phaseAngle) - least) <= ROUNDING) return 0.0
@@ -76,8 +76,8 @@ public class Illumination(
         public fun mostPhase(elevation: Double, lightElevation: Double): Double = PI - abs(elevation + lightElevation)
 
         /**
-         * What the phase angle of an eye at [elevation] and light at [lightElevation] must be, if [phaseAngle] cannot be
-         * it, in words; null if it can. All in degrees.
+         * What the phase angle of an eye at [elevation] and light at [lightElevation] must be, if [phaseAngle] cannot
+         * be it, in words; null if it can. All in degrees.
          */
         @JvmStatic
         public fun problem(elevation: Double, lightElevation: Double, phaseAngle: Double): String? {

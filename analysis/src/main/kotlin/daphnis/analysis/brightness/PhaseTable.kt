@@ -21,7 +21,9 @@ public class PhaseTable(angles: DoubleArray, values: DoubleArray) {
         }
         for (k in angles.indices) {
             require(angles[k] >= 0 && angles[k] <= PI) { "phase angle is ${angles[k]}; it must be in [0, π]" }
-            require(k == 0 || angles[k] > angles[k - 1]) { "phase angles are ${angles[k - 1]}, ${angles[k]}: not ascending" }
+            require(k == 0 || angles[k] > angles[k - 1]) {
+                "phase angle ${angles[k]} follows ${angles[k - 1]}; they must be ascending"
+            }
             require(values[k] >= 0 && values[k] <= MOST) { "value is ${values[k]}; it must be in [0, $MOST]" }
         }
     }

@@ -8,9 +8,9 @@ import kotlin.math.sqrt
 
 /**
  * I/F of light that the spheres of [state] scattered several times, by Monte Carlo. A path begins at the eye, whose ray
- * goes through a random point of the plane, and follows the light back from sphere to sphere. At each the light that comes
- * straight from its source is added, which of sphere n is that of order n (Salo & Karjalainen 2003, Icarus 164, 428 go
- * the other way). A path has random numbers of its own, which [seed], the time of the state and its number decide.
+ * goes through a random point of the plane, and follows the light back from sphere to sphere. At each the light that
+ * comes straight from its source is added, which of sphere n is that of order n. A path has random numbers of its own,
+ * which [seed], the time of the state and its number decide.
  */
 internal class PhotonPaths(
     state: State,
@@ -55,7 +55,8 @@ internal class PhotonPaths(
             if (eye <= 0) return
             val lit = dot(normal, line.light)
             if (lit > 0 && shadow.isFree(place, line.light)) {
-                sums[order] += weight * law.radiance(lit, eye, if (order == 0) abs(line.phaseAngle) else angle(line.light))
+                val angle = if (order == 0) abs(line.phaseAngle) else angle(line.light)
+                sums[order] += weight * law.radiance(lit, eye, angle)
             }
             if (order == sums.lastIndex) return
             val from = law.drawn(random.nextDouble())
@@ -76,10 +77,7 @@ internal class PhotonPaths(
         place[2] = population.z[k] + r * normal[2]
     }
 
-    /**
-     * Lets [toward] be the direction at the cosine [along] to the normal and the angle [around] it. The two unit vectors
-     * across the normal are those of Duff et al. 2017, J. Comput. Graph. Tech. 6, 1.
-     */
+    /** Lets [toward] be the direction at the cosine [along] to the normal and the angle [around] it. */
     private fun draw(along: Double, around: Double) {
         val (x, y, z) = normal
         val sign = if (z < 0) -1.0 else 1.0

@@ -34,7 +34,13 @@ public abstract class ScatteringLaw internal constructor(public val words: Strin
         var sum = 0.0
         for (k in 0..PANELS) {
             val angle = PI * k / PANELS
-            val weight = if (k == 0 || k == PANELS) 1 else if (k % 2 == 1) 4 else 2
+            val weight = if (k == 0 || k == PANELS) {
+                1
+            } else if (k % 2 == 1) {
+                4
+            } else {
+                2
+            }
             sum += weight * ofSphere(angle) * StrictMath.sin(angle)
         }
         sum * PI / PANELS / 6
@@ -67,8 +73,7 @@ public abstract class ScatteringLaw internal constructor(public val words: Strin
         override val table: PhaseTable?,
         private val isWhole: Boolean,
     ) : ScatteringLaw(words, albedo) {
-        override fun radiance(light: Double, eye: Double, angle: Double) =
-            grains(angle) / 4 * (light / (light + eye))
+        override fun radiance(light: Double, eye: Double, angle: Double) = grains(angle) / 4 * (light / (light + eye))
 
         override fun ofSphere(angle: Double) = grains(angle) / 2 * ofDisc(angle)
 
@@ -106,8 +111,8 @@ public abstract class ScatteringLaw internal constructor(public val words: Strin
             LommelSeeliger("$SEELIGER of the single-scattering albedo $albedo", albedo, grains, false)
 
         /**
-         * A surface of Lommel and Seeliger whose f(α) is such that a sphere has the phase function [whole] P(α), times the
-         * spherical albedo [albedo], if P has the mean 1 over all directions.
+         * A surface of Lommel and Seeliger whose f(α) is such that a sphere has the phase function [whole] P(α), times
+         * the spherical albedo [albedo], if P has the mean 1 over all directions.
          */
         @JvmStatic
         public fun ofSpheres(albedo: Double, whole: PhaseTable): ScatteringLaw =

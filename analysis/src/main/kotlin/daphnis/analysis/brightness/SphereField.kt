@@ -82,7 +82,13 @@ internal class SphereField(state: State) {
             high[axis] = box.upper(if (axis == 0) across else along)
             return
         }
-        val place = if (axis == 0) placeA else if (axis == 1) placeB else population.z
+        val place = if (axis == 0) {
+            placeA
+        } else if (axis == 1) {
+            placeB
+        } else {
+            population.z
+        }
         low[axis] = Double.POSITIVE_INFINITY
         high[axis] = Double.NEGATIVE_INFINITY
         for (k in 0 until population.size) {
@@ -143,7 +149,13 @@ internal class SphereField(state: State) {
     /** The cell along [axis] at [place], of those at the ends beyond them. */
     fun cell(axis: Int, place: Double): Int {
         val cell = floor((place - low[axis]) / width[axis])
-        return if (cell >= count[axis]) count[axis] - 1 else if (cell > 0) cell.toInt() else 0
+        return if (cell >= count[axis]) {
+            count[axis] - 1
+        } else if (cell > 0) {
+            cell.toInt()
+        } else {
+            0
+        }
     }
 
     private inline fun forEachCell(k: Int, use: (cell: Int) -> Unit) {
@@ -164,7 +176,13 @@ internal class SphereField(state: State) {
     private fun beyond(axis: Int, cell: Int, place: Double): Double {
         val from = low[axis] + cell * width[axis]
         val to = from + width[axis]
-        return if (place < from) from - place else if (place > to) place - to else 0.0
+        return if (place < from) {
+            from - place
+        } else if (place > to) {
+            place - to
+        } else {
+            0.0
+        }
     }
 
     companion object {

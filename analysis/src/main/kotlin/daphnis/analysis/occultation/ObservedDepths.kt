@@ -49,14 +49,16 @@ public class ObservedDepths private constructor(
             val errors = DoubleArray(columns.size)
             val remarks = ArrayList<String>()
             val lines = List(columns.size) { k ->
-                values[k] = columns.number(k, value, "a number in -1000..1000") { it >= -MOST_VALUE && it <= MOST_VALUE }
+                values[k] =
+                    columns.number(k, value, "a number in -1000..1000") { it >= -MOST_VALUE && it <= MOST_VALUE }
                 errors[k] = error(columns, k)
                 val beyond = if (areDepths) 0.0 else maxOf(-values[k], values[k] - 1)
                 if (beyond > 0) {
                     columns.number(k, value, "in [0, 1] within five of its errors") {
                         beyond <= MOST_ERRORS * errors[k]
                     }
-                    remarks += "Line ${columns.line(k)} of the file has the $value ${values[k]}, which is not in 0 to 1."
+                    remarks +=
+                        "Line ${columns.line(k)} of the file has the $value ${values[k]}, which is not in 0 to 1."
                 }
                 line(columns, k)
             }

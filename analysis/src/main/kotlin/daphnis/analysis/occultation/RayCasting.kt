@@ -164,7 +164,16 @@ public class RayCasting @JvmOverloads constructor(
                 to = minOf(to, countB - 1)
             }
             if (hits != null) {
-                for (j in from..to) offer(hits, sphere, i * strideA + Math.floorMod(j, countB) * strideB, pa, j, centreB)
+                for (j in from..to) {
+                    offer(
+                        hits,
+                        sphere,
+                        i * strideA + Math.floorMod(j, countB) * strideB,
+                        pa,
+                        j,
+                        centreB,
+                    )
+                }
             }
             if (wrapsB) to = minOf(to, from + countB - 1)
             var j = from

@@ -26,8 +26,10 @@ class ObservedBrightnessTest {
     @Test
     fun `a table has the light of each row, from above and from below`() {
         val table = ObservedBrightness.read(
-            file("# HST\nerror,i_over_f [1],elevation [°],azimuth,phase_angle [deg],light_elevation\n" +
-                "0.01,0.4,28,110,-6,24\n\n0.02,0.1,20,0,90,-30\n0.02,0.1,90,0,62,28\n"),
+            file(
+                "# HST\nerror,i_over_f [1],elevation [°],azimuth,phase_angle [deg],light_elevation\n" +
+                    "0.01,0.4,28,110,-6,24\n\n0.02,0.1,20,0,90,-30\n0.02,0.1,90,0,62,28\n",
+            ),
         )
         assertEquals(listOf(0.4, 0.1, 0.1), table.values.toList())
         assertEquals(listOf(0.01, 0.02, 0.02), table.errors.toList())
@@ -44,7 +46,7 @@ class ObservedBrightnessTest {
             head to ": has no rows",
             "elevation,azimuth,phase_angle,i_over_f,error\n1,2,3,4,5\n" to ": column 'light_elevation' is missing",
             head + "0,0,28,28,0.4,0.1\n" to ":2: elevation is '0'; it must be in 0.1..90 degrees",
-            head + "28,0,0.05,28,0.4,0.1\n" to ":2: light_elevation is '0.05'; it must be in 0.1..90 degrees, or as far",
+            head + "28,0,0.05,28,0.4,0.1\n" to ":2: light_elevation is '0.05'; it must be in 0.1..90 degrees",
             head + "28,0,-91,28,0.4,0.1\n" to ":2: light_elevation is '-91'",
             head + "28,0,24,200,0.4,0.1\n" to ":2: phase_angle is '200'; it must be in -180..180 degrees",
             head + "28,0,24,3.9,0.4,0.1\n" to ":2: phase_angle is '3.9'; it must be 4 to 128 degrees in size",
@@ -62,7 +64,9 @@ class ObservedBrightnessTest {
     fun `χ² of what was drawn from the patch is about the number of rows, and the factor is found`() {
         val random = SeededRandom(4)
         val truth = List(400) { 0.1 + it / 2000.0 }
-        val rows = truth.joinToString("\n") { "28,0,28,0,${1.5 * it * (1 + 0.03 * random.nextGaussian())},${0.045 * it}" }
+        val rows = truth.joinToString("\n") {
+            "28,0,28,0,${1.5 * it * (1 + 0.03 * random.nextGaussian())},${0.045 * it}"
+        }
         val observed = ObservedBrightness.read(file(head + rows))
         val seen = truth.map { BlockAverage(it * (1 + 0.02 * random.nextGaussian()), Double.NaN, 5) }
         val comparison = BrightnessComparison(observed, seen)
@@ -130,8 +134,14 @@ class ObservedBrightnessTest {
     @Test
     fun `light and eye stand at the phase angle, where they can`() {
         for ((b, light, phase) in listOf(
-            Triple(28.0, 28.0, 0.0), Triple(28.0, 28.0, 1e-5), Triple(28.0, 24.0, 4.0), Triple(28.0, 24.0, 60.0),
-            Triple(28.0, -24.0, 176.0), Triple(90.0, 20.0, 70.0), Triple(1.0, 1.0, 178.0), Triple(30.0, 40.0, -50.0),
+            Triple(28.0, 28.0, 0.0),
+            Triple(28.0, 28.0, 1e-5),
+            Triple(28.0, 24.0, 4.0),
+            Triple(28.0, 24.0, 60.0),
+            Triple(28.0, -24.0, 176.0),
+            Triple(90.0, 20.0, 70.0),
+            Triple(1.0, 1.0, 178.0),
+            Triple(30.0, 40.0, -50.0),
         )) {
             val line = Illumination.degrees(b, 33.0, light, phase)
             val e = line.toEye

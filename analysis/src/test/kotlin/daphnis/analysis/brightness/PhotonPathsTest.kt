@@ -70,7 +70,18 @@ class PhotonPathsTest {
             val around = random.nextDouble(0.0, 2 * PI)
             val eye = LineOfSight(StrictMath.asin(maxOf(abs(height), 0.002)), around)
             val sky = sky(eye, light, height)
-            val seen = PhotonPaths(if (height > 0) state else turned, if (height > 0) field else turnedField, law, 1L + k)
+            val seen = PhotonPaths(
+                if (height >
+                    0
+                ) {
+                    state
+                } else {
+                    turned
+                },
+                if (height > 0) field else turnedField,
+                law,
+                1L + k,
+            )
             // ∫ I/F |μ| dΩ / (π μ₀): 4π is the sky.
             4 * abs(height) / sin(light.elevation) * seen.of(sky, orders, 60).sum()
         }

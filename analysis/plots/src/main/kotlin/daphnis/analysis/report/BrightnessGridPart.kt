@@ -26,7 +26,9 @@ internal class BrightnessGridPart(private val study: Study, private val options:
     /** Over all azimuths, by elevation. */
     private val means: List<BlockAverage> by lazy { elevations.indices.map { mean(it, measure::total) } }
 
-    private val single: List<BlockAverage> by lazy { elevations.indices.map { mean(it) { k -> measure.transmission(k) + 1 } } }
+    private val single: List<BlockAverage> by lazy {
+        elevations.indices.map { mean(it) { k -> measure.transmission(k) + 1 } }
+    }
 
     private val asymmetries: List<AzimuthalAsymmetry?> by lazy {
         elevations.indices.map { i -> AzimuthalAsymmetry.of(Array(n) { light.series(measure.total(i * n + it)) }) }
@@ -60,8 +62,8 @@ internal class BrightnessGridPart(private val study: Study, private val options:
         page.numbers(rows())
         if (study.isRing && asymmetries.none { it?.isSeen == true }) {
             page.paragraph(
-                "There is no darkest azimuth: I/F does not depend on the azimuth by more than chance makes it, or there " +
-                    "are too few states to tell, or fewer than three azimuths in half a turn.",
+                "There is no darkest azimuth: I/F does not depend on the azimuth by more than chance makes it, or " +
+                    "there are too few states to tell, or fewer than three azimuths in half a turn.",
             )
         }
         azimuths(page)
@@ -81,7 +83,7 @@ internal class BrightnessGridPart(private val study: Study, private val options:
             )
         }
         val figure = Chart.lines(curves, "azimuth A [degrees]", "I/F", marks = TURN)
-        val ansae = if (study.isRing) " At 90° and 270° the eye sees an ansa; particles move toward smaller azimuths." else ""
+        val ansae = if (study.isRing) ANSAE else ""
         val caption = "I/F by the azimuth A at which the eye stands, from x toward y, at each of its elevations B. " +
             "${lit()}$ansae ${study.judgement.bars()}"
         study.draw(page, figure, "brightness-azimuth", "brightness by azimuth and elevation", caption)
@@ -103,7 +105,8 @@ internal class BrightnessGridPart(private val study: Study, private val options:
         val light = options.lightElevation?.let { "The light stands at ${ReportText.short(it)}°" }
             ?: "The light stands as high as the eye"
         val angle = options.phaseAngle ?: 0.0.takeIf { options.lightElevation == null }
-        return light + (angle?.let { ", the phase angle is ${ReportText.short(it)}°." } ?: ", the phase angle is the least.")
+        val phase = angle?.let { "${ReportText.short(it)}°" } ?: "the least"
+        return "$light, the phase angle is $phase."
     }
 
     private fun grid() {
@@ -120,8 +123,8 @@ internal class BrightnessGridPart(private val study: Study, private val options:
                 Column("light_elevation", "degrees", of { options.light(elevations[it / n]) }),
                 Column("light_azimuth", "degrees", of { ObservedRows.degrees(lines[it].lightAzimuth) }),
                 Column("phase_angle", "degrees", of { options.phase(elevations[it / n]) }),
-            ) + both("transmission", measure::transmission) + both("single_scattering") { measure.transmission(it) + 1 } +
-                both("i_over_f", measure::total),
+            ) + both("transmission", measure::transmission) +
+                both("single_scattering") { measure.transmission(it) + 1 } + both("i_over_f", measure::total),
         ).write(study.tables)
     }
 
@@ -144,6 +147,8 @@ internal class BrightnessGridPart(private val study: Study, private val options:
 
     private companion object {
         const val HALF = 180.0
+
+        const val ANSAE = " At 90° and 270° the eye sees an ansa; particles move toward smaller azimuths."
 
         /** An axis over a whole turn. */
         val TURN = List(9) { it * HALF / 4 }.let { NamedMarks(Ticks(it, it.map(ReportText::short)), 0.0, 2 * HALF) }

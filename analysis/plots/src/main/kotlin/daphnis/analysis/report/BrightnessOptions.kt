@@ -4,6 +4,7 @@ import daphnis.analysis.brightness.Brightness
 import daphnis.analysis.brightness.Illumination
 import daphnis.analysis.brightness.ObservedBrightness
 import daphnis.analysis.brightness.ScatteringLaw
+import daphnis.analysis.occultation.Transmissions
 import daphnis.core.input.InputException
 import kotlin.math.abs
 
@@ -54,7 +55,9 @@ public class BrightnessOptions @JvmOverloads constructor(
             throw InputException(TABLE, null, "covers $span degrees; further orders take 0 to 180", isArgument = true)
         }
         if (law.sphericalAlbedo > 1 + SLACK) {
-            val problem = "makes a sphere scatter ${ReportText.short(law.sphericalAlbedo)} of the light that falls on it"
+            val problem = "makes a sphere scatter ${ReportText.short(
+                law.sphericalAlbedo,
+            )} of the light that falls on it"
             throw InputException(TABLE, null, "$problem; it must be 1 at most", isArgument = true)
         }
     }
@@ -76,7 +79,8 @@ public class BrightnessOptions @JvmOverloads constructor(
     private fun checkTable(argument: String, angle: Double) {
         val table = law.table ?: return
         if (table.covers(abs(Math.toRadians(angle)))) return
-        throw wrong(argument, angle, "in the phase function, which covers ${said(table.first)} to ${said(table.last)} degrees")
+        val span = "${said(table.first)} to ${said(table.last)}"
+        throw wrong(argument, angle, "in the phase function, which covers $span degrees")
     }
 
     /** The elevations of the grid in degrees, ascending. */
@@ -108,9 +112,11 @@ public class BrightnessOptions @JvmOverloads constructor(
     internal fun line(elevation: Double, azimuth: Double, phase: Double): Illumination =
         Illumination.degrees(elevation, azimuth, light(elevation), phase)
 
-    /** I/F along [lines]. */
-    internal fun measure(lines: List<Illumination>): Brightness =
-        Brightness(lines, law, orders = orders, paths = paths, seed = seed)
+    /** I/F along [lines]; at opposition, which takes no ray to the light, from as many rays as the transmission. */
+    internal fun measure(lines: List<Illumination>): Brightness {
+        val rays = if (lines.all { it.phaseAngle == 0.0 }) Transmissions.RAYS else Transmissions.RAYS / 2
+        return Brightness(lines, law, rays, orders, paths, seed)
+    }
 
     private companion object {
         const val HALF = 180.0

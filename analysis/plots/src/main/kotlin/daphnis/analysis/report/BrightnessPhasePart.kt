@@ -48,8 +48,9 @@ internal class BrightnessPhasePart(private val study: Study, private val options
         val sphere = DoubleArray(phases.size) { mean[0] * options.law.ofSphere(Math.abs(lines[it].phaseAngle)) / alone }
         if (phases.size > 1) {
             val curves = listOf(Curve("patch", phases, mean, errors), Curve("sphere alone, scaled", phases, sphere))
-            val caption = "I/F by phase angle at $place of the eye, beside the phase function of a sphere alone, which is " +
-                "scaled to the first. ${study.judgement.bars()}"
+            val caption =
+                "I/F by phase angle at $place of the eye, beside the phase function of a sphere alone, which " +
+                    "is scaled to the first. ${study.judgement.bars()}"
             val figure = Chart.lines(curves, "phase angle [degrees]", "I/F")
             study.draw(page, figure, "brightness-phase", "brightness by phase angle", caption)
         }
@@ -57,7 +58,13 @@ internal class BrightnessPhasePart(private val study: Study, private val options
             "brightness-phase",
             listOf(
                 Column("phase_angle", "degrees", phases),
-                Column("light_azimuth", "degrees", DoubleArray(phases.size) { ObservedRows.degrees(lines[it].lightAzimuth) }),
+                Column(
+                    "light_azimuth",
+                    "degrees",
+                    DoubleArray(phases.size) {
+                        ObservedRows.degrees(lines[it].lightAzimuth)
+                    },
+                ),
                 Column("i_over_f", "", mean),
                 Column("i_over_f_error", "", errors),
                 Column("over_first", "", DoubleArray(phases.size) { ratios[it].mean }),

@@ -29,7 +29,14 @@ internal class ObservedBrightnessPart(
         rows.exact(null, "χ² against the observed I/F", comparison.chiSquare, "", expected(n))
         if (comparison.factor.isNaN()) return rows.list()
         val (factor, error) = comparison.factor to comparison.factorError
-        rows.change(null, "observed I/F over that of the patch, best factor", factor, error, "", "errors as independent")
+        rows.change(
+            null,
+            "observed I/F over that of the patch, best factor",
+            factor,
+            error,
+            "",
+            "errors as independent",
+        )
         if (n > 1) rows.exact(null, "χ² with this factor", comparison.chiSquareOfFactor, "", expected(n - 1))
         return rows.list()
     }
@@ -46,8 +53,9 @@ internal class ObservedBrightnessPart(
             marks = ObservedRows.marks(observed.lines.map { listOf(it.eye.elevation, it.eye.azimuth, it.phaseAngle) }),
             joined = false,
         )
-        val caption = "I/F of the patch under the light and along the lines of sight of the observed one, row by row. χ² " +
-            "has both errors; lines through the same states are not quite independent. ${study.judgement.bars()}"
+        val caption =
+            "I/F of the patch under the light and along the lines of sight of the observed one, row by row. χ² " +
+                "has both errors; lines through the same states are not quite independent. ${study.judgement.bars()}"
         study.draw(page, figure, "brightness-observed", "brightness, observed and of the patch", caption)
         fun angle(name: String, of: (Int) -> Double) =
             Column(name, "degrees", DoubleArray(n) { ObservedRows.degrees(of(it)) })

@@ -56,7 +56,9 @@ class BrightnessReportTest {
         )
         Analysis(AnalysisInput.ofRun(path), options).write(path)
         val html = Files.readString(path.resolve("report.html"))
-        assertTrue("surfaces of Lommel and Seeliger of the single-scattering albedo 0.8. Light is scattered up to 3" in html)
+        assertTrue(
+            "surfaces of Lommel and Seeliger of the single-scattering albedo 0.8. Light is scattered up to 3" in html,
+        )
         for (plot in listOf("azimuth", "elevation", "phase", "observed")) {
             assertTrue(Files.size(path.resolve("plots/brightness-$plot.png")) > 1000) { plot }
         }
@@ -100,7 +102,9 @@ class BrightnessReportTest {
         Analysis(AnalysisInput.ofRun(path), AnalysisOptions(from = 0.0)).write(path)
         assertFalse("Brightness" in Files.readString(path.resolve("report.html")))
         val gas = directory.resolve("gas")
-        Run.start(BuiltIn.scenario("elastic-gas", listOf("until=0.05", "particles.count=50")), "gas", gas).use { it.execute() }
+        Run.start(BuiltIn.scenario("elastic-gas", listOf("until=0.05", "particles.count=50")), "gas", gas).use {
+            it.execute()
+        }
         val options = AnalysisOptions(from = 0.0, brightness = BrightnessOptions(ScatteringLaw.lambert(0.5)))
         Analysis(AnalysisInput.ofRun(gas), options).write(gas)
         val html = Files.readString(gas.resolve("report.html"))
@@ -115,7 +119,9 @@ class BrightnessReportTest {
             val e = assertThrows(InputException::class.java, act)
             assertTrue(e.message!!.startsWith(words)) { e.message }
         }
-        refused("lightElevation: is 0.0; it must be in 0.1..90 degrees, or as far below 0") { BrightnessOptions(law, 0.0) }
+        refused("lightElevation: is 0.0; it must be in 0.1..90 degrees, or as far below 0") {
+            BrightnessOptions(law, 0.0)
+        }
         refused("phaseAngle: is NaN; it must be in -180..180") { BrightnessOptions(law, phaseAngle = Double.NaN) }
         refused("phaseAngles: is 200.0") { BrightnessOptions(law, phaseAngles = doubleArrayOf(0.0, 200.0)) }
         refused("phaseAngles: is 181 of them") { BrightnessOptions(law, phaseAngles = DoubleArray(181)) }
