@@ -102,7 +102,7 @@ class BrightnessFlagsTest {
             listOf("--brightness=tabulated", "--orders=2", "--phase-function=$part") to
                 "--phase-function: covers 0 to 20 degrees; further orders take 0 to 180",
             listOf("--brightness=tabulated", "--orders=2", "--phase-function=$bright") to
-                "--phase-function: makes a sphere scatter 5 of the light that falls on it; it must be 1 at most",
+                "--phase-function: makes a sphere scatter 5.00 of the light that falls on it; it must be 1 at most",
             listOf(
                 "--brightness=lambert",
                 "--observed-brightness=$low",

@@ -125,9 +125,9 @@ internal class SphereField(state: State) {
 
     private fun grow() {
         val more = size + size / 2 + 16
-        owner = owner.copyOf(more)
         centreA = centreA.copyOf(more)
         centreB = centreB.copyOf(more)
+        owner = owner.copyOf(more)
     }
 
     /** About one sphere in a cell, and cells no smaller than a mean radius. */

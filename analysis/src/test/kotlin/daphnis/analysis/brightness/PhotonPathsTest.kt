@@ -115,7 +115,7 @@ class PhotonPathsTest {
         val count = 200
         val side = 35.4491
         val depth = count * PI / (side * side)
-        val high = Box.centred(side, side, 20_000.0)
+        val high = Box.centred(side, side, 5000.0)
         val law = ScatteringLaw.ofSpheres(1.0, PhaseTable(doubleArrayOf(0.0, PI), doubleArrayOf(1.0, 1.0)))
         assertEquals(1.0, law.sphericalAlbedo, 1e-6)
         val line = Illumination.degrees(50.0, 30.0, 40.0, 60.0)
