@@ -9,10 +9,10 @@ import kotlin.math.hypot
  * From the even harmonics of the mean over the states, the second and, from five azimuths in half a turn on, the
  * fourth. Errors are those of the jackknife pseudovalues over the states.
  *
- * @property amplitude (largest − smallest)/mean of these harmonics; of noise alone it is about 2.5 of its errors
- * @property minimum azimuth of the smallest less a quarter of a turn, in radians, in [−π/2, π/2). The eye sees an ansa
- *   at an azimuth of a quarter of a turn, and particles move toward smaller azimuths: so it is how far before the
- *   ansae, in the direction of motion, a ring is darkest
+ * @property amplitude (largest − smallest)/mean of these harmonics, which noise alone has, too
+ * @property minimum azimuth of the smallest less a quarter of a turn, in radians, in [−π/2, π/2). From a particle at an
+ *   ansa the eye stands at the azimuth of a quarter of a turn, which becomes smaller as the particle moves on: so it is
+ *   how far before the ansae, in the direction of motion, a ring is darkest
  * @property isSeen whether the second harmonic is four of its errors away from 0; if not, [minimum] means nothing
  */
 public class AzimuthalAsymmetry private constructor(

@@ -148,7 +148,7 @@ internal class BrightnessGridPart(private val study: Study, private val options:
     private companion object {
         const val HALF = 180.0
 
-        const val ANSAE = " At 90° and 270° the eye sees an ansa; particles move toward smaller azimuths."
+        const val ANSAE = " At 90° and 270° the eye sees an ansa; as a particle moves on, A becomes smaller."
 
         /** An axis over a whole turn. */
         val TURN = List(9) { it * HALF / 4 }.let { NamedMarks(Ticks(it, it.map(ReportText::short)), 0.0, 2 * HALF) }
