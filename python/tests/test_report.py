@@ -56,6 +56,14 @@ def test_tables_and_pictures_are_looked_up_by_name(report: daphnis.Report) -> No
         ({"frames": 0}, "frames: is 0; it must be at least 1"),
         ({"slabs": -1}, "slabs: is -1"),
         ({"scenario": "ring-patch"}, "scenario: is for files"),
+        ({"brightness": "lamp"}, "brightness: is lamp; it must be one of lambert, lommel-seeliger, tabulated"),
+        ({"brightness": "tabulated"}, "brightness: is tabulated; it must be given with phase_function"),
+        ({"brightness": "lambert", "albedo": -1}, "albedo: is -1; it must be in 0..1"),
+        ({"brightness": "lambert", "phase_function": "f.csv"}, "phase_function: is f.csv; it must be given with"),
+        ({"brightness": "lambert", "light_elevation": 0}, "light_elevation: is 0.0; it must be in 0.1..90 degrees"),
+        ({"brightness": "lambert", "phase_angle": 130}, "phase_angle: is 130.0; it must be 0 to 124 degrees in size"),
+        ({"brightness": "lambert", "orders": 0}, "orders: is 0; it must be in 1..100"),
+        ({"phase_angle": 6}, "brightness: is not given"),
     ],
 )
 def test_wrong_options_are_refused(ring: daphnis.Run, options: dict[str, Any], words: str) -> None:
@@ -86,6 +94,35 @@ def test_light_through_the_patch_is_computed_on_request(ring: daphnis.Run, tmp_p
     seen.write_text("elevation,azimuth,optical_depth,error\n0,0,0.6,0.1\n")
     with pytest.raises(daphnis.FormatError, match="seen.csv:2: elevation is '0'"):
         ring.analyze(observed=seen)
+
+
+def test_brightness_is_computed_on_request(ring: daphnis.Run, tmp_path: Path) -> None:
+    seen = tmp_path / "seen.csv"
+    seen.write_text("elevation,azimuth,light_elevation,phase_angle,i_over_f,error\n28,0,28,0,0.06,0.01\n")
+    grains = tmp_path / "grains.csv"
+    grains.write_text("phase_angle,phase_function\n0,2\n180,1\n")
+    report = ring.analyze(
+        brightness="lommel-seeliger",
+        albedo=0.5,
+        phase_function=grains,
+        elevations=[20, 90],
+        azimuths=3,
+        phase_angles=[0, 10],
+        orders=2,
+        paths=50,
+        observed_brightness=seen,
+        out=tmp_path,
+    )
+    grid = report.tables["brightness-grid"]
+    assert len(grid) == 12
+    # Lommel-Seeliger at opposition: albedo times f(0) over 8, of what does not come through.
+    assert np.allclose(grid["single_scattering"], 0.5 * 2 / 8 * (1 - grid["transmission"]), rtol=1e-12, atol=0)
+    assert len(report.tables["brightness-phase"]) == 2 and len(report.tables["brightness-elevation"]) == 2
+    assert report.tables["brightness-observed"]["observed"][0] == 0.06
+    assert "brightness-azimuth" in report.pictures
+    grains.write_text("phase_angle,phase_function\n10,2\n0,1\n")
+    with pytest.raises(daphnis.FormatError, match="grains.csv:3: phase_angle is '0'; it must be more than"):
+        ring.analyze(brightness="tabulated", phase_function=grains)
 
 
 def test_a_run_without_a_report_says_so(ring: daphnis.Run) -> None:

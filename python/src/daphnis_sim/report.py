@@ -20,6 +20,7 @@ from .scenarios import scenario as as_scenario
 from .tables import Tables, read_table
 
 _MOST = 100_000
+_LAWS = ("lambert", "lommel-seeliger", "tabulated")
 
 
 class Picture:
@@ -144,6 +145,16 @@ def analyze(
     scan_path: float = 0.0,
     photons: float | None = None,
     observed: str | os.PathLike[str] | None = None,
+    brightness: str | None = None,
+    albedo: float = 1.0,
+    phase_function: str | os.PathLike[str] | None = None,
+    light_elevation: float | None = None,
+    phase_angle: float | None = None,
+    phase_angles: Sequence[float] = (),
+    orders: int = 1,
+    paths: int = 4096,
+    brightness_seed: int = 1,
+    observed_brightness: str | os.PathLike[str] | None = None,
     out: str | os.PathLike[str] | None = None,
     accept_loss: bool = False,
 ) -> Report:
@@ -168,6 +179,19 @@ def analyze(
         scan_path: direction of this path in the plane, from x toward y, in degrees.
         photons: mean number of photons per footprint where nothing is in the way; no noise without it.
         observed: path of a CSV of what was observed: elevation, azimuth, optical_depth or transmission, error.
+        brightness: law of scattering of the spheres, ``lambert``, ``lommel-seeliger`` or ``tabulated``, for I/F over
+            `elevations` and over `azimuths` of a whole turn; no brightness without it.
+        albedo: of that law, in 0..1.
+        phase_function: path of a CSV of phase_angle, phase_function: of grains with ``lommel-seeliger``, of spheres
+            with ``tabulated``.
+        light_elevation: of the light, in degrees, below 0 for light from below; that of the eye without it.
+        phase_angle: of that grid, in degrees, below 0 with the light at smaller azimuths; the least without it.
+        phase_angles: over which I/F is computed at `elevation` and `azimuth`, in degrees; a choice without them.
+        orders: of scattering that are computed, in 1..100.
+        paths: random paths per state for those from the second on.
+        brightness_seed: of these paths.
+        observed_brightness: path of a CSV of what was observed: elevation, azimuth, light_elevation, phase_angle,
+            i_over_f, error.
         out: where to write; into the run directory without it, beside a file as NAME-analysis.
         accept_loss: whether files that differ from what the run wrote are accepted.
 
@@ -197,9 +221,23 @@ def analyze(
             directory = Path(out)
         begin = None if from_ is None else java("java.lang.Double")(from_)
         light = _light(elevations, azimuths, footprint, scan_path, photons, observed)
+        bright = None
+        if brightness is not None:
+            law = _law(brightness, albedo, phase_function)
+            seen = (orders, paths, brightness_seed, observed_brightness)
+            bright = _brightness(law, light_elevation, phase_angle, phase_angles, *seen)
+        elif (
+            phase_function is not None
+            or light_elevation is not None
+            or phase_angle is not None
+            or len(phase_angles) > 0
+            or (albedo, orders, paths, brightness_seed) != (1.0, 1, 4096, 1)
+            or observed_brightness is not None
+        ):
+            raise InputError("brightness: is not given; albedo, phase angles and the like are given with it")
         kind = java("daphnis.analysis.report.AnalysisOptions")
         near = None if cluster_ratio is None else java("java.lang.Double")(cluster_ratio)
-        options = kind(begin, slabs, groups, elevation, frames, azimuth, light, near)
+        options = kind(begin, slabs, groups, elevation, frames, azimuth, light, near, bright)
         java("daphnis.analysis.report.Analysis")(source, options).write(java_path(directory))
     notices = [str(notice) for notice in source.getNotices()]
     noted(notices)
@@ -229,6 +267,48 @@ def _light(
     number = None if photons is None else java("java.lang.Double")(photons)
     heights = _arrays.doubles(np.array(elevations, float))
     return java("daphnis.analysis.report.OccultationOptions")(heights, azimuths, seen, scan_path, number, table)
+
+
+def _law(name: str, albedo: float, phase_function: str | os.PathLike[str] | None) -> Any:
+    """The ScatteringLaw of Java."""
+    laws = java("daphnis.analysis.brightness.ScatteringLaw")
+    if name not in _LAWS:
+        raise InputError(f"brightness: is {name}; it must be one of {', '.join(_LAWS)}")
+    if not 0 <= albedo <= 1:
+        raise InputError(f"albedo: is {albedo}; it must be in 0..1")
+    if name == "lambert" and phase_function is not None:
+        raise InputError(f"phase_function: is {phase_function}; it must be given with lommel-seeliger or tabulated")
+    if name == "tabulated" and phase_function is None:
+        raise InputError("brightness: is tabulated; it must be given with phase_function")
+    tables = java("daphnis.analysis.brightness.PhaseTable")
+    table = None if phase_function is None else tables.read(java_path(Path(phase_function)))
+    if name == "lambert":
+        return laws.lambert(float(albedo))
+    if name == "lommel-seeliger":
+        return laws.lommelSeeliger(float(albedo), table)
+    return laws.ofSpheres(float(albedo), table)
+
+
+def _brightness(
+    law: Any,
+    light_elevation: float | None,
+    phase_angle: float | None,
+    phase_angles: Sequence[float],
+    orders: int,
+    paths: int,
+    seed: int,
+    observed: str | os.PathLike[str] | None,
+) -> Any:
+    """The BrightnessOptions of Java."""
+    double = java("java.lang.Double")
+    light = None if light_elevation is None else double(light_elevation)
+    phase = None if phase_angle is None else double(phase_angle)
+    table = None
+    if observed is not None:
+        table = java("daphnis.analysis.brightness.ObservedBrightness").read(java_path(Path(observed)))
+    angles = _arrays.doubles(np.array(phase_angles, float))
+    kind = java("daphnis.analysis.report.BrightnessOptions")
+    return kind(law, light, phase, angles, orders, paths, seed, table)
 
 
 def _check(slabs: int, groups: int, elevation: float, azimuth: float, frames: int) -> None:

@@ -67,6 +67,7 @@ class AnalyzeCommand : CliktCommand(name = "analyze") {
         help = "direction in which these rays climb, from x toward y, degrees (default 0)",
     ).double().default(0.0)
     private val occultation by OccultationFlags()
+    private val brightness by BrightnessFlags()
     private val clusterRatio by option(
         "--cluster-ratio",
         help = "spheres up to so many sums of radii apart are in one cluster, 1..100 (default: where they attract)",
@@ -88,7 +89,8 @@ class AnalyzeCommand : CliktCommand(name = "analyze") {
 
     override fun run() {
         checkOptions()
-        val light = occultation.options()
+        val light = occultation.options(brightness.isAsked)
+        val bright = brightness.options()
         val path = pathOf(what, "dir-or-file")
         val given = scenario?.let { scenarioNamed(it, settings) }
         val input = if (Files.isRegularFile(path)) {
@@ -102,7 +104,7 @@ class AnalyzeCommand : CliktCommand(name = "analyze") {
             out?.let { pathOf(it, "--out") }
                 ?: if (Files.isRegularFile(path)) path.resolveSibling("${path.fileName}-analysis") else path
         val options =
-            AnalysisOptions(from, slabs ?: 0, groups ?: 0, elevation, frames, azimuth, light, clusterRatio)
+            AnalysisOptions(from, slabs ?: 0, groups ?: 0, elevation, frames, azimuth, light, clusterRatio, bright)
         val analysis = Analysis(input, options)
         val progress = if (quiet) AnalysisProgress { _, _, _ -> } else ShownProgress()
         LastWords { "analyze was interrupted; nothing was written to $directory" }.use {

@@ -67,6 +67,18 @@ internal class GroupedHelp(context: Context, private val headings: Map<String, L
                     "--photons",
                     "--observed",
                 ),
+                "Brightness" to listOf(
+                    "--brightness",
+                    "--albedo",
+                    "--phase-function",
+                    "--light-elevation",
+                    "--phase-angle",
+                    "--phase-angles",
+                    "--orders",
+                    "--paths",
+                    "--brightness-seed",
+                    "--observed-brightness",
+                ),
             ),
         )
 

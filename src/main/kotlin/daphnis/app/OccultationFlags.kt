@@ -43,12 +43,14 @@ internal class OccultationFlags : OptionGroup() {
         completionCandidates = Candidates.files,
     )
 
-    /** Reads the table of what was observed, too. */
-    fun options(): OccultationOptions {
+    /** Reads the table of what was observed, too. [hasBrightness] is that azimuths are asked for by that, too. */
+    fun options(hasBrightness: Boolean): OccultationOptions {
         val disc = footprint?.let(::footprintOf)
         if (disc == null && photons != null) throw wrong("--photons", "$photons", "given with --footprint")
         if (disc == null && scanPath != 0.0) throw wrong("--scan-path", "$scanPath", "given with --footprint")
-        if (elevations == null) azimuths?.let { throw wrong("--azimuths", "$it", "given with --elevations") }
+        if (elevations == null && !hasBrightness) {
+            azimuths?.let { throw wrong("--azimuths", "$it", "given with --elevations or --brightness") }
+        }
         val heights = elevations?.split(',')?.map {
             it.trim().toDoubleOrNull() ?: throw wrong("--elevations", "$elevations", "numbers with commas between")
         }

@@ -65,7 +65,7 @@ class OccultationFlagsTest {
             listOf("--elevations=10,95") to "--elevations: is 95.0; it must be in 0.1..90 degrees",
             listOf("--elevations=0.001", "--azimuths=1") to "--elevations: is 0.001; it must be in 0.1..90 degrees",
             listOf("--elevation=1e-9") to "--elevation: is 1.0E-9; it must be in 0.1..90 degrees",
-            listOf("--azimuths=3") to "--azimuths: is 3; it must be given with --elevations",
+            listOf("--azimuths=3") to "--azimuths: is 3; it must be given with --elevations or --brightness",
             listOf("--elevations=10", "--azimuths=0") to "--azimuths: is 0; it must be in 1..180",
             listOf("--observed=${at("none.csv")}") to "none.csv: cannot be read: no such file",
             listOf(

@@ -68,6 +68,11 @@ private val FLAGS = mapOf(
     "timeStep" to "--time-step",
     "scanPath" to "--scan-path",
     "clusterRatio" to "--cluster-ratio",
+    "lightElevation" to "--light-elevation",
+    "phaseAngle" to "--phase-angle",
+    "phaseAngles" to "--phase-angles",
+    "phaseFunction" to "--phase-function",
+    "observedBrightness" to "--observed-brightness",
 )
 
 private fun words(e: Throwable) = e.javaClass.simpleName + e.message?.let { ": $it" }.orEmpty()

@@ -27,6 +27,16 @@ public class LineOfSight @JvmOverloads constructor(public val elevation: Double,
             }
         }
 
+        /** The unit vector (x, y, z) in the direction of [elevation] and [azimuth], the same bits on every machine. */
+        internal fun direction(elevation: Double, azimuth: Double): DoubleArray {
+            val flat = StrictMath.cos(elevation)
+            return doubleArrayOf(
+                flat * StrictMath.cos(azimuth),
+                flat * StrictMath.sin(azimuth),
+                StrictMath.sin(elevation),
+            )
+        }
+
         /** The same from angles in degrees; 90 is π/2 to the last bit. */
         @JvmStatic
         public fun degrees(elevation: Double, azimuth: Double): LineOfSight =

@@ -6,12 +6,9 @@ import daphnis.analysis.insitu.State
 import daphnis.analysis.statistics.BlockAverage
 import kotlin.math.PI
 import kotlin.math.ceil
-import kotlin.math.cos
 import kotlin.math.floor
 import kotlin.math.ln
-import kotlin.math.sin
 import kotlin.math.sqrt
-import kotlin.math.tan
 
 /**
  * Light through a patch: parallel rays at an elevation above the ring plane, on a regular grid of points of the plane,
@@ -59,20 +56,29 @@ public class RayCasting @JvmOverloads constructor(
 
     /** Casts the rays through [state]. */
     public fun cast(state: State): Shadow {
-        val box = state.boundary.box
-        val longest = maxOf(box.length(0), box.length(1))
-        val shadow = Shadow(
-            maxOf(1, Math.rint(rays * box.length(0) / longest).toInt()),
-            maxOf(1, Math.rint(rays * box.length(1) / longest).toInt()),
-        )
-        val p = state.population
-        val caster = Caster(state, shadow)
-        for (k in 0 until p.size) {
+        val shadow = Shadow(count(state, 0), count(state, 1))
+        val caster = Caster(state, shadow, null)
+        for (k in 0 until state.population.size) {
             // At low elevations few spheres leave no ray free, each by a shadow many boxes long.
             if (caster.free == 0) break
-            caster.drop(p.x[k], p.y[k], p.z[k], p.radius[k])
+            caster.drop(k)
         }
         return shadow
+    }
+
+    /** Casts the same rays through [state], and finds what each of those that [cast] blocks meets first. */
+    internal fun hits(state: State): FirstHits {
+        val shadow = Shadow(count(state, 0), count(state, 1))
+        val hits = FirstHits(shadow.nx, shadow.ny)
+        val caster = Caster(state, shadow, hits)
+        for (k in 0 until state.population.size) caster.drop(k)
+        return hits
+    }
+
+    /** Rays along [axis]. */
+    private fun count(state: State, axis: Int): Int {
+        val box = state.boundary.box
+        return maxOf(1, Math.rint(rays * box.length(axis) / maxOf(box.length(0), box.length(1))).toInt())
     }
 
     /** Share of the rays that get through, one number, as a [Measure]. */
@@ -85,12 +91,17 @@ public class RayCasting @JvmOverloads constructor(
      */
     public fun depth(transmission: BlockAverage): BlockAverage {
         val t = transmission.mean
-        val error = if (t > 0) sin(elevation) * transmission.error / t else Double.NaN
-        return BlockAverage(-sin(elevation) * ln(t), error, transmission.count, transmission.independent)
+        val sine = StrictMath.sin(elevation)
+        val error = if (t > 0) sine * transmission.error / t else Double.NaN
+        return BlockAverage(-sine * ln(t), error, transmission.count, transmission.independent)
     }
 
-    /** Drops shadows. Axes are those of [PlaneImages]: a from row to row of images, b along a row. */
-    private inner class Caster(state: State, private val shadow: Shadow) {
+    /**
+     * Drops shadows, and into [hits], if there are any, where rays meet the spheres. Axes are those of [PlaneImages]: a
+     * from row to row of images, b along a row.
+     */
+    private inner class Caster(state: State, private val shadow: Shadow, private val hits: FirstHits?) {
+        private val population = state.population
         private val images = PlaneImages(state.boundary, state.time)
         private val isRadial = images.across == 0
         private val lowA = state.boundary.box.lower(images.across)
@@ -103,16 +114,23 @@ public class RayCasting @JvmOverloads constructor(
         private val stepB = state.boundary.box.length(images.along) / countB
         private val wrapsA = images.repeats(images.across)
         private val wrapsB = images.repeats(images.along)
-        private val towardA = if (isRadial) cos(azimuth) else sin(azimuth)
-        private val towardB = if (isRadial) sin(azimuth) else cos(azimuth)
-        private val sine = sin(elevation)
-        private val cotangent = if (elevation == PI / 2) 0.0 else 1 / tan(elevation)
+
+        // The same on every machine.
+        private val towardA = if (isRadial) StrictMath.cos(azimuth) else StrictMath.sin(azimuth)
+        private val towardB = if (isRadial) StrictMath.sin(azimuth) else StrictMath.cos(azimuth)
+        private val sine = StrictMath.sin(elevation)
+        private val cotangent = if (elevation == PI / 2) 0.0 else 1 / StrictMath.tan(elevation)
+        private val toEye = LineOfSight.direction(elevation, azimuth)
 
         /** Rays that nothing has stopped yet. */
         var free = shadow.blocked.size
             private set
 
-        fun drop(x: Double, y: Double, z: Double, r: Double) {
+        fun drop(sphere: Int) {
+            val x = population.x[sphere]
+            val y = population.y[sphere]
+            val z = population.z[sphere]
+            val r = population.radius[sphere]
             val centreA = (if (isRadial) x else y) - z * cotangent * towardA
             val centreB = (if (isRadial) y else x) - z * cotangent * towardB
             val long = r / sine
@@ -121,7 +139,8 @@ public class RayCasting @JvmOverloads constructor(
                 val row = Math.floorDiv(i, countA)
                 if (row != 0 && !wrapsA) continue
                 // A shadow on row m of images is, in the box, the shadow of the image at −m.
-                dropLine(i - row * countA, lowA + (i + 0.5) * stepA - centreA, centreB - row * images.offset, long, r)
+                val place = centreB - row * images.offset
+                dropLine(sphere, i - row * countA, lowA + (i + 0.5) * stepA - centreA, place, long, r)
             }
         }
 
@@ -129,7 +148,7 @@ public class RayCasting @JvmOverloads constructor(
          * Blocks the rays at index [i] along a, which pass the centre of the shadow at the distance [pa]; [centreB] is
          * the centre along b.
          */
-        private fun dropLine(i: Int, pa: Double, centreB: Double, long: Double, r: Double) {
+        private fun dropLine(sphere: Int, i: Int, pa: Double, centreB: Double, long: Double, r: Double) {
             // The shadow is convex: all rays between the first and the last that it stops.
             // Both are where a quadratic has its roots, to a ray: those before and behind are asked as well.
             val bend = towardB * towardB / (long * long) + towardA * towardA / (r * r)
@@ -140,12 +159,23 @@ public class RayCasting @JvmOverloads constructor(
             var to = last(centreB + middle + half, lowB, stepB) + 1
             while (from <= to && !isWithin(pa, from, centreB, long, r)) from++
             while (to > from && !isWithin(pa, to, centreB, long, r)) to--
-            if (wrapsB) {
-                to = minOf(to, from + countB - 1)
-            } else {
+            if (!wrapsB) {
                 from = maxOf(from, 0)
                 to = minOf(to, countB - 1)
             }
+            if (hits != null) {
+                for (j in from..to) {
+                    offer(
+                        hits,
+                        sphere,
+                        i * strideA + Math.floorMod(j, countB) * strideB,
+                        pa,
+                        j,
+                        centreB,
+                    )
+                }
+            }
+            if (wrapsB) to = minOf(to, from + countB - 1)
             var j = from
             while (j <= to) {
                 // In one box of images.
@@ -160,6 +190,14 @@ public class RayCasting @JvmOverloads constructor(
                 }
                 j += end - start
             }
+        }
+
+        /** Tells [hits] of a [ray], which passes the centre at [pa] along a and at the index [j] along b. */
+        private fun offer(hits: FirstHits, sphere: Int, ray: Int, pa: Double, j: Int, centreB: Double) {
+            val pb = lowB + (j + 0.5) * stepB - centreB
+            val dx = if (isRadial) pa else pb
+            val dy = if (isRadial) pb else pa
+            hits.offer(ray, sphere, dx, dy, population.z[sphere], population.radius[sphere], toEye)
         }
 
         private fun isWithin(pa: Double, j: Int, centreB: Double, long: Double, r: Double): Boolean {

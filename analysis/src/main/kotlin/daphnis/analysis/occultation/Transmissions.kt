@@ -3,6 +3,7 @@ package daphnis.analysis.occultation
 import daphnis.analysis.insitu.Measure
 import daphnis.analysis.insitu.State
 import daphnis.analysis.statistics.BlockAverage
+import daphnis.core.boundary.Box
 import kotlin.math.sqrt
 
 /**
@@ -20,13 +21,8 @@ public class Transmissions @JvmOverloads constructor(
         require(rays >= 1) { "$rays rays; there must be one at least" }
     }
 
-    override fun of(state: State): DoubleArray {
-        val box = state.boundary.box
-        val longest = maxOf(box.length(0), box.length(1))
-        val along = Math.rint(rays * sqrt(longest / minOf(box.length(0), box.length(1)))).toInt()
-        return DoubleArray(lines.size) {
-            RayCasting(lines[it].elevation, lines[it].azimuth, along).cast(state).transmission
-        }
+    override fun of(state: State): DoubleArray = DoubleArray(lines.size) {
+        casting(lines[it], state.boundary.box, rays).cast(state).transmission
     }
 
     /** Normal optical depth of the [average] transmission along line [k]; see [RayCasting.depth]. */
@@ -36,5 +32,12 @@ public class Transmissions @JvmOverloads constructor(
     public companion object {
         /** Rays per line and state are the square of this. */
         public const val RAYS: Int = 256
+
+        /** The rays along [line] of a patch in [box], the square of [rays] in number and equally far apart. */
+        internal fun casting(line: LineOfSight, box: Box, rays: Int): RayCasting {
+            val longest = maxOf(box.length(0), box.length(1))
+            val along = Math.rint(rays * sqrt(longest / minOf(box.length(0), box.length(1)))).toInt()
+            return RayCasting(line.elevation, line.azimuth, along)
+        }
     }
 }

@@ -83,8 +83,8 @@ public class Analysis @JvmOverloads constructor(
 
     /** All rows of the page's tables of numbers as it shows them, with their errors. */
     internal fun rows(): List<NumberRow> {
-        val list = Sections.WITH_OWN_NUMBERS
-        return sections(if (options.occultation.isAsked) list + ::OccultationSection else list).allNumbers()
+        val light = if (options.occultation.isAsked) listOf<(Study) -> Section>(::OccultationSection) else emptyList()
+        return sections(Sections.WITH_OWN_NUMBERS + light + ::BrightnessSection).allNumbers()
     }
 
     private fun sections(list: List<(Study) -> Section>) = Sections(study(Path.of("")), list).also {

@@ -14,7 +14,9 @@ import daphnis.core.input.InputException
  * @property occultation what else is computed of the light through the patch
  * @property clusterRatio spheres up to so many sums of their radii apart are in one cluster, in 1..100; null for those
  *   that attract each other, and no clusters of others
- * @throws InputException for a [clusterRatio] that is not in these bounds
+ * @property brightness what is computed of the light that the patch reflects; null for nothing
+ * @throws InputException for a [clusterRatio] that is not in these bounds, or a [brightness] at an [elevation] at which
+ *   light and eye cannot stand so
  */
 public class AnalysisOptions @JvmOverloads constructor(
     public val from: Double? = null,
@@ -25,8 +27,10 @@ public class AnalysisOptions @JvmOverloads constructor(
     public val azimuth: Double = 0.0,
     public val occultation: OccultationOptions = OccultationOptions(),
     public val clusterRatio: Double? = null,
+    public val brightness: BrightnessOptions? = null,
 ) {
     init {
+        brightness?.check(this)
         if (clusterRatio != null && clusterRatio !in 1.0..FARTHEST) {
             val right = "it must be in 1..${FARTHEST.toInt()} sums of radii"
             throw InputException("clusterRatio", null, "is $clusterRatio; $right", isArgument = true)

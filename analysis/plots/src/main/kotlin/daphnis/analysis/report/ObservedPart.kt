@@ -7,8 +7,6 @@ import daphnis.analysis.occultation.ObservedDepths
 import daphnis.analysis.occultation.Transmissions
 import daphnis.analysis.plot.Chart
 import daphnis.analysis.plot.Curve
-import daphnis.analysis.plot.NamedMarks
-import daphnis.analysis.plot.Ticks
 import daphnis.analysis.table.Column
 import daphnis.analysis.table.Table
 
@@ -46,13 +44,13 @@ internal class ObservedPart(private val study: Study, private val observed: Obse
         val n = observed.lines.size
         val seen = DoubleArray(n) { comparison.seen[it].mean }
         val seenErrors = study.judgement.errors(DoubleArray(n) { comparison.seen[it].error })
-        val elevations = DoubleArray(n) { degrees(observed.lines[it].elevation) }
+        val elevations = DoubleArray(n) { ObservedRows.degrees(observed.lines[it].elevation) }
         val index = DoubleArray(n) { (it + 1).toDouble() }
         val figure = Chart.lines(
             listOf(Curve("observed", index, observed.values, observed.errors), Curve("patch", index, seen, seenErrors)),
             "elevation and azimuth of the row [degrees]",
             what,
-            marks = rowMarks(),
+            marks = ObservedRows.marks(observed.lines.map { listOf(it.elevation, it.azimuth) }),
             joined = false,
         )
         val caption =
@@ -63,7 +61,7 @@ internal class ObservedPart(private val study: Study, private val observed: Obse
             "occultation-observed",
             listOf(
                 Column("elevation", "degrees", elevations),
-                Column("azimuth", "degrees", DoubleArray(n) { degrees(observed.lines[it].azimuth) }),
+                Column("azimuth", "degrees", DoubleArray(n) { ObservedRows.degrees(observed.lines[it].azimuth) }),
                 Column("observed", "", observed.values),
                 Column("observed_error", "", observed.errors),
                 Column("patch", "", DoubleArray(n) { if (seen[it].isFinite()) seen[it] else Double.NaN }),
@@ -74,23 +72,7 @@ internal class ObservedPart(private val study: Study, private val observed: Obse
         ).write(study.tables)
     }
 
-    /** Some of the rows, by their line of sight. */
-    private fun rowMarks(): NamedMarks {
-        val n = observed.lines.size
-        val shown = (0 until n step (n + MOST_NAMES - 1) / MOST_NAMES).toList()
-        val names = shown.map { k ->
-            observed.lines[k].let { listOf(it.elevation, it.azimuth) }.joinToString { ReportText.short(degrees(it)) }
-        }
-        return NamedMarks(Ticks(shown.map { it + 1.0 }, names), 1 - BESIDE, n + BESIDE)
-    }
-
     private companion object {
         const val MOST_REMARKS = 5
-        const val MOST_NAMES = 8
-        const val BESIDE = 0.4
-        private const val PER_DEGREE = 1e10
-
-        /** 30 of what was read as 30: the way to radians and back misses by the last digits. */
-        fun degrees(radians: Double) = Math.rint(Math.toDegrees(radians) * PER_DEGREE) / PER_DEGREE
     }
 }

@@ -31,13 +31,7 @@ internal class OccultationSection(private val study: Study) : Section {
 
     // Of grains in a box nobody wants it, unless they say so.
     override val applies = study.isRing || study.isLit || options.occultation.isAsked
-    override val leftOut = when {
-        study.isLit -> study.tooFew()
-        study.last.boundary.space.isPlane -> "discs in a plane have no height"
-        study.isRoomCut -> Study.ROOM_CUT
-        study.last.boundary.repeats(2) -> "the box is filled above and below"
-        else -> "there is no ring: the scenario has no frame"
-    }
+    override val leftOut = study.unlit
 
     /** What is asked for beside. */
     private val parts: List<LightPart> = if (leftOut != null) {

@@ -90,6 +90,7 @@ internal class Sections(private val study: Study, list: List<(Study) -> Section>
             ::CoolingSection,
             ::ClusterSection,
             ::OccultationSection,
+            ::BrightnessSection,
             ::ImpactsSection,
             ::RunSection,
         )

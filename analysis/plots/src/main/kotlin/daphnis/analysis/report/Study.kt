@@ -70,6 +70,16 @@ internal class Study(
         !isRoomCut &&
         (isRing || input.scenario == null)
 
+    /** Why light through it means nothing; null where it does. */
+    val unlit: String?
+        get() = when {
+            isLit -> tooFew()
+            last.boundary.space.isPlane -> "discs in a plane have no height"
+            isRoomCut -> ROOM_CUT
+            last.boundary.repeats(2) -> "the box is filled above and below"
+            else -> "there is no ring: the scenario has no frame"
+        }
+
     /** What is simulated: a patch of a ring, or a box. */
     val place: String = if (isRing) "patch" else "box"
 

@@ -1,5 +1,6 @@
 package daphnis.analysis.report
 
+import daphnis.analysis.brightness.ScatteringLaw
 import daphnis.analysis.occultation.Footprint
 import daphnis.core.scenario.BuiltIn
 import daphnis.core.scenario.Scenario
@@ -11,7 +12,8 @@ import kotlin.system.exitProcess
 /**
  * `tools/error-bars/error-bars SCENARIO SEEDS DIRECTORY [path=value...]`: prints how often ± cover the mean over the
  * seeds 1 to SEEDS, and in how many of the runs a drift that is added is found. With the property `daphnis.footprint`,
- * such as 20x10, those of the light through the patch, too.
+ * such as 20x10, those of the light through the patch, too, and with `daphnis.brightness` those of the light that
+ * Lambert spheres scatter, in so many orders.
  */
 fun main(args: Array<String>) {
     val seeds = args.getOrNull(1)?.toIntOrNull() ?: 0
@@ -20,7 +22,7 @@ fun main(args: Array<String>) {
         exitProcess(2)
     }
     val scenario = scenario(args[0], args.drop(3))
-    val bars = ErrorBars(AnalysisOptions(occultation = light()))
+    val bars = ErrorBars(AnalysisOptions(occultation = light(), brightness = brightness()))
     for (seed in 1L..seeds) bars.add(scenario, seed, Path.of(args[2]).resolve("$seed"))
     print(bars.table())
     println()
@@ -35,6 +37,13 @@ private fun light(): OccultationOptions {
     val elevations = doubleArrayOf(10.0, 20.0, 40.0, 60.0, 90.0)
     return OccultationOptions(elevations, footprint = Footprint.rectangle(sizes[0], sizes[1]), photons = 1000.0)
 }
+
+private fun brightness(): BrightnessOptions? = System.getProperty("daphnis.brightness")?.let {
+    BrightnessOptions(ScatteringLaw.lambert(1.0), orders = it.toInt(), paths = FEW_PATHS)
+}
+
+/** So that their noise is seen. */
+private const val FEW_PATHS = 256
 
 private fun scenario(name: String, settings: List<String>): Scenario {
     val path = Path.of(name)
