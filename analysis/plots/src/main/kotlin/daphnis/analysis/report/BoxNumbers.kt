@@ -110,6 +110,9 @@ internal class BoxNumbers(private val study: Study) {
         rows.average("reduced_pressure", "pressure p* = p/(ρ_p σ²γ²)", transport.pressure * stress, "")
         val shearStress = transport.pressure("xy") * (-stress * Math.signum(rate))
         rows.average("reduced_shear_stress", "shear stress τ* = −P_xy/(ρ_p σ²γ²)", shearStress, "")
+        normalStresses(transport)
+        val ratio = transport.pressureRatio("xy") * -Math.signum(rate)
+        rows.average("shear_stress_ratio", "shear stress −P_xy/p", ratio, "")
         rows.average("viscosity_translational", "viscosity, translational", transport.translational, units.viscosity)
         rows.average("viscosity_collisional", "viscosity, collisional", transport.collisional, units.viscosity)
         rows.average("viscosity_total", "viscosity, total", transport.viscosity, units.viscosity)
@@ -120,5 +123,13 @@ internal class BoxNumbers(private val study: Study) {
             "",
             "1 in a steady state",
         )
+    }
+
+    /** They add up to the number of dimensions. */
+    private fun normalStresses(transport: Transport) {
+        for (axis in "xyz".take(space.dimensions)) {
+            val name = "normal stress P_$axis$axis/p"
+            rows.average("normal_stress_$axis$axis", name, transport.pressureRatio("$axis$axis"), "")
+        }
     }
 }
