@@ -93,7 +93,8 @@ internal class BoxNumbers(private val study: Study) {
         return ElasticReferences.of(scenario, last, filling, motion.temperature.mean, bulk.numberDensity) +
             CoolingReferences.of(scenario, last) +
             References.ofHeated(scenario, last, bulk.numberDensity) +
-            References.ofShear(scenario, last, filling)
+            References.ofShear(scenario, last, filling) +
+            References.ofDiluteShear(scenario, last, filling)
     }
 
     /** T/(γσ)², stresses over ρ_p σ²γ² with ρ_p the mass of a sphere over its volume, of a disc over its area. */
