@@ -3,6 +3,7 @@ package daphnis.analysis.correlation
 import daphnis.analysis.insitu.PooledMeasure
 import daphnis.analysis.insitu.State
 import daphnis.core.initial.SeededRandom
+import kotlin.math.floor
 import kotlin.math.ln
 import kotlin.math.sqrt
 
@@ -24,7 +25,7 @@ import kotlin.math.sqrt
 public class Insertion @JvmOverloads constructor(
     public val largest: Double,
     public val bins: Int = 20,
-    private val points: Int = 20_000,
+    private val points: Int = 10_000,
 ) : PooledMeasure {
     init {
         require(largest > 0 && largest.isFinite() && bins >= 1) { "$bins bins up to $largest; both must be positive" }
@@ -84,7 +85,9 @@ private class FreeRoom(state: State, private val reach: Double) {
             "insertions are into a box at rest that repeats along all axes"
         }
         val far = (members.maxOfOrNull { p.radius[it] } ?: 0.0) + reach
-        count = IntArray(dimensions) { (edge[it] / far).toInt().coerceIn(1, MOST_CELLS) }
+        // No more cells than a few for each sphere.
+        val most = Math.pow(CELLS_PER_SPHERE * members.size, 1.0 / dimensions).toInt() + 1
+        count = IntArray(dimensions) { (edge[it] / far).toInt().coerceIn(1, most) }
         free = 1 - members.sumOf { state.boundary.space.volume(p.radius[it]) } / state.boundary.volume
         first = IntArray(count.fold(1) { n, c -> n * c } + 1)
         val cell = IntArray(members.size) { m -> cell { axis -> place(axis, p.position(axis)[members[m]]) } }
@@ -95,7 +98,7 @@ private class FreeRoom(state: State, private val reach: Double) {
         for (m in members.indices) sorted[next[cell[m]]++] = members[m]
     }
 
-    private fun place(axis: Int, x: Double) = ((x - low[axis]) / edge[axis] * count[axis]).toInt().mod(count[axis])
+    private fun place(axis: Int, x: Double) = floor((x - low[axis]) / edge[axis] * count[axis]).toInt().mod(count[axis])
 
     private inline fun cell(at: (Int) -> Int): Int {
         var c = 0
@@ -135,6 +138,6 @@ private class FreeRoom(state: State, private val reach: Double) {
     }
 
     private companion object {
-        const val MOST_CELLS = 200
+        const val CELLS_PER_SPHERE = 4.0
     }
 }

@@ -2,7 +2,6 @@ package daphnis.analysis.report
 
 import daphnis.analysis.correlation.Insertion
 import daphnis.analysis.insitu.Averages
-import daphnis.analysis.insitu.State
 import daphnis.analysis.plot.Chart
 import daphnis.analysis.plot.Curve
 import daphnis.analysis.table.Column
@@ -11,11 +10,18 @@ import daphnis.analysis.table.UnitNames
 import daphnis.analysis.theory.HardDiscs
 import daphnis.analysis.theory.HardSphereMixture
 import daphnis.analysis.theory.HardSpheres
+import daphnis.core.format.Snapshot
 import kotlin.math.hypot
 
-/** The chemical potential of elastic spheres or discs at rest, by spheres put at random places. */
+/**
+ * The chemical potential of elastic spheres or discs at rest, by spheres put at random places. In more states than others
+ * take: what fits into one differs from what fits into the next by more than its places leave open.
+ */
 internal class InsertionSection(private val study: Study) : Section {
+    private val input = study.input
     private val last = study.last
+    private val chosen = chosen()
+    private var seen = 0
     private val isPlane = last.boundary.space.isPlane
     private val filling = study.bulk.fillingFactor
     private val insertion = Insertion(2 * study.bulk.largestRadius, BINS)
@@ -23,7 +29,8 @@ internal class InsertionSection(private val study: Study) : Section {
     private val isEqual = study.physics?.let { ElasticGas.isSeen(it, last) } == true
 
     override val heading = "Insertion"
-    override val over = "${if (isPlane) "Discs" else "Spheres"} put at random places. ${study.overAverages}"
+    override val over = "${if (isPlane) "Discs" else "Spheres"} put at random places in " +
+        "${ReportText.count(chosen.size, "state")} from time ${study.time(study.from)} on."
     override val applies: Boolean =
         study.physics?.let { ElasticGas.isAtRest(it, last) && it.forces.isEmpty() } == true &&
             last.boundary.shear == null &&
@@ -31,7 +38,15 @@ internal class InsertionSection(private val study: Study) : Section {
             !study.isGrowing &&
             study.tooFew() == null
 
-    override fun add(state: State) = averages.add(state)
+    override val followed = if (applies) chosen else emptyList()
+
+    override fun follow(snapshot: Snapshot) = averages.add(input.state(chosen[seen++], snapshot))
+
+    private fun chosen(): List<Int> {
+        val late = input.times.indices.filter { input.times[it] >= study.from }
+        val every = maxOf(1, (late.size + MOST_STATES - 1) / MOST_STATES)
+        return late.filterIndexed { k, _ -> k % every == 0 }
+    }
 
     override fun numbers(): List<NumberRow> {
         if (!isEqual || averages.size == 0) return emptyList()
@@ -100,6 +115,7 @@ internal class InsertionSection(private val study: Study) : Section {
     private companion object {
         const val KEY = "chemical_potential"
         const val BINS = 20
+        const val MOST_STATES = 200
 
         /** Of the equation of state, and of N spheres instead of many, relative, the latter over N. */
         const val BOUND = 0.005
