@@ -115,7 +115,17 @@ private class FreeRoom(state: State, private val reach: Double) {
             for (dy in -1..1) {
                 for (dz in -deep..deep) {
                     val c = cell { axis ->
-                        (place(axis, at[axis]) + (if (axis == 0) dx else if (axis == 1) dy else dz)).mod(count[axis])
+                        (
+                            place(axis, at[axis]) + (
+                                if (axis == 0) {
+                                    dx
+                                } else if (axis == 1) {
+                                    dy
+                                } else {
+                                    dz
+                                }
+                                )
+                            ).mod(count[axis])
                     }
                     for (k in first[c] until first[c + 1]) {
                         nearest = minOf(nearest, distance(sorted[k]) - p.radius[sorted[k]])

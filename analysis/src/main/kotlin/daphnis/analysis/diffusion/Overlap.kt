@@ -54,7 +54,7 @@ public class Overlap(trajectories: Trajectories, public val reach: Double) {
             val apart = DoubleArray(q.size) { q[it] - overlap[l] }
             val squares = DoubleArray(q.size) { apart[it] * apart[it] }
             susceptibility[l] = n * (squares.average() + overlapError[l] * overlapError[l])
-            susceptibilityError[l] = n * OverOrigins.error(arrayOf(apart, squares), step, VARIANCE)
+            susceptibilityError[l] = n * OverOrigins.error(arrayOf(apart, squares), step, function = VARIANCE)
         }
     }
 

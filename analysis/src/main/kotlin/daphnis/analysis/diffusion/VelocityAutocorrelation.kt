@@ -72,7 +72,13 @@ public class VelocityAutocorrelation @JvmOverloads constructor(
 
     /** One standard error of [normalised]; 0 at the lag 0, NaN at lags that are too long for the time. */
     public fun normalisedError(): DoubleArray = DoubleArray(lag.size) { l ->
-        if (l == 0) 0.0 else OverOrigins.error(arrayOf(byOrigin[l], byOrigin[0].copyOf(byOrigin[l].size)), l, RATIO)
+        if (l ==
+            0
+        ) {
+            0.0
+        } else {
+            OverOrigins.error(arrayOf(byOrigin[l], byOrigin[0].copyOf(byOrigin[l].size)), l, function = RATIO)
+        }
     }
 
     /**
@@ -89,8 +95,7 @@ public class VelocityAutocorrelation @JvmOverloads constructor(
         DoubleArray(lag.size) { if (it == 0) 0.0 else OverOrigins.error(integrals(it), it) }
 
     /** The integral from 0 to lag [l] by origin. */
-    private fun integrals(l: Int) =
-        weighted(DoubleArray(maxOf(l + 1, SMALL[1].size)).also { addIntegral(it, l, 1.0) })
+    private fun integrals(l: Int) = weighted(DoubleArray(maxOf(l + 1, SMALL[1].size)).also { addIntegral(it, l, 1.0) })
 
     /** Σ [weights] · C by origin, of those that all the lags have. */
     private fun weighted(weights: DoubleArray): DoubleArray {
@@ -112,7 +117,18 @@ public class VelocityAutocorrelation @JvmOverloads constructor(
             for (k in SMALL[l].indices) weights[k] += unit * SMALL[l][k]
             return
         }
-        for (k in 0..l) weights[k] += unit * (if (k < ENDS.size) ENDS[k] else if (l - k < ENDS.size) ENDS[l - k] else 1.0)
+        for (k in 0..l) {
+            weights[k] +=
+                unit * (
+                    if (k < ENDS.size) {
+                        ENDS[k]
+                    } else if (l - k < ENDS.size) {
+                        ENDS[l - k]
+                    } else {
+                        1.0
+                    }
+                    )
+        }
     }
 
     /**
@@ -152,7 +168,7 @@ public class VelocityAutocorrelation @JvmOverloads constructor(
         val columns = Array(most + 1) { byOrigin[it].copyOf(origins) }
         fun slope(c: DoubleArray) = (1..most).sumOf { weights[it - 1] * ln(c[it] / c[0]) / lag[it] }
         val value = slope(DoubleArray(most + 1) { columns[it].average() })
-        return BlockAverage(value, OverOrigins.error(columns, most) { slope(it) }, origins)
+        return BlockAverage(value, OverOrigins.error(columns, most, LEAST_ERROR) { slope(it) }, origins)
     }
 
     /** Weights of values at [x] that make the value at 0 of the parabola of least squares. */
@@ -175,6 +191,9 @@ public class VelocityAutocorrelation @JvmOverloads constructor(
         private const val FEWEST_OF_SLOPE = 3
         private const val MOST_OF_SLOPE = 12
         private const val FEWEST_BETWEEN = 2
+
+        /** Of the error of a slope by collisions that are independent of one another. */
+        private const val LEAST_ERROR = 0.5
         private const val ROUNDING = 1e-9
         private const val UNEVEN = 0.01
         private val RATIO = OfMeans { it[0] / it[1] }

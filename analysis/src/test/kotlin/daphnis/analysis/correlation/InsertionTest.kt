@@ -35,8 +35,14 @@ class InsertionTest {
         val n = places.size
         val at = Array(3) { axis -> DoubleArray(n) { places[it][axis] } }
         val p = Population(
-            at[0], at[1], at[2], DoubleArray(n), DoubleArray(n), DoubleArray(n),
-            DoubleArray(n) { radius }, DoubleArray(n) { 1.0 },
+            at[0],
+            at[1],
+            at[2],
+            DoubleArray(n),
+            DoubleArray(n),
+            DoubleArray(n),
+            DoubleArray(n) { radius },
+            DoubleArray(n) { 1.0 },
         )
         return State(p, Periodic(Box.centred(3.0, 4.0, 5.0)), time)
     }
@@ -44,7 +50,8 @@ class InsertionTest {
     @Test
     fun `around one sphere, wherever it is, the room is that of a ball, and of a point what spheres leave free`() {
         // In the middle, across a face, and in a corner, far from the origin.
-        val places = listOf(doubleArrayOf(0.1, 0.2, 0.3), doubleArrayOf(1.45, 0.0, 0.0), doubleArrayOf(-1.5, -2.0, -2.5))
+        val places =
+            listOf(doubleArrayOf(0.1, 0.2, 0.3), doubleArrayOf(1.45, 0.0, 0.0), doubleArrayOf(-1.5, -2.0, -2.5))
         for ((k, place) in places.withIndex()) {
             val insertion = Insertion(1.0, 4, 200_000)
             val found = insertion.of(state(0.5, place, time = k + 1.0))
@@ -59,8 +66,14 @@ class InsertionTest {
     @Test
     fun `of two sizes each has its own radius, and equal states have equal numbers`() {
         val p = Population(
-            doubleArrayOf(0.0, 1.2), doubleArrayOf(0.0, 0.0), doubleArrayOf(0.0, 1.0),
-            DoubleArray(2), DoubleArray(2), DoubleArray(2), doubleArrayOf(0.5, 0.2), doubleArrayOf(1.0, 1.0),
+            doubleArrayOf(0.0, 1.2),
+            doubleArrayOf(0.0, 0.0),
+            doubleArrayOf(0.0, 1.0),
+            DoubleArray(2),
+            DoubleArray(2),
+            DoubleArray(2),
+            doubleArrayOf(0.5, 0.2),
+            doubleArrayOf(1.0, 1.0),
         )
         val state = State(p, Periodic(Box.centred(4.0, 4.0, 4.0)), 1.0)
         val insertion = Insertion(0.4, 2, 100_000)
@@ -97,7 +110,10 @@ class InsertionTest {
             if (discs) "box.lengths=[$edge,$edge]" else "box.lengths=[$edge,$edge,$edge]",
             "particles={\"count\":250,\"sizes\":{\"type\":\"list\",\"radii\":$radii},\"mass\":1}",
             "velocities={\"type\":\"gaussian\",\"temperature\":1,\"exact\":true}",
-            "timeStep={\"type\":\"fixed\",\"dt\":0.1}", "output={}", "until=44", "seed=$seed",
+            "timeStep={\"type\":\"fixed\",\"dt\":0.1}",
+            "output={}",
+            "until=44",
+            "seed=$seed",
         )
         val path = directory.resolve("$filling-$seed-$discs-${radii.size}")
         Run.start(BuiltIn.scenario("elastic-gas", settings), "elastic-gas", path).use { run ->
@@ -114,7 +130,13 @@ class InsertionTest {
             val all = List(seeds) { fluid(filling, listOf(0.5), it + 1).average(20) }
             val mean = all.map { it.mean }.average()
             val covered = all.count { abs(it.mean - mean) <= it.error }
-            if (isFull) println("φ $filling: $known, $mean, error ${all.map { it.error }.average()}, covered $covered of $seeds")
+            if (isFull) {
+                println(
+                    "φ $filling: $known, $mean, error ${all.map {
+                        it.error
+                    }.average()}, covered $covered of $seeds",
+                )
+            }
             // Of 250 spheres, and the formula itself.
             for (a in all) assertEquals(known, a.mean, 4 * a.error + 0.015 * known) { "$filling" }
             if (isFull) assertTrue(covered in 33..51) { "$covered" }

@@ -16,7 +16,17 @@ class OverlapTest {
     private fun within(x: Double): Double {
         val n = 200
         fun f(r: Double) = sqrt(2 / Math.PI) * r * r * exp(-r * r / 2)
-        return (0..n).sumOf { f(x * it / n) * (if (it == 0 || it == n) 1 else if (it % 2 == 1) 4 else 2) } * x / n / 3
+        return (0..n).sumOf {
+            f(x * it / n) * (
+                if (it == 0 || it == n) {
+                    1
+                } else if (it % 2 == 1) {
+                    4
+                } else {
+                    2
+                }
+                )
+        } * x / n / 3
     }
 
     @Test

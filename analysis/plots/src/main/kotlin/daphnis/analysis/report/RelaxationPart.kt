@@ -50,7 +50,8 @@ internal class RelaxationPart(
         if (isOfAll) {
             val error = study.judgement.errors(found.susceptibilityError)
             val chi = Curve("χ₄", found.lag, found.susceptibility, error)
-            val single = Curve("Q (1 − Q)", found.lag, DoubleArray(found.lag.size) { overlap.y[it] * (1 - overlap.y[it]) })
+            val single =
+                Curve("Q (1 − Q)", found.lag, DoubleArray(found.lag.size) { overlap.y[it] * (1 - overlap.y[it]) })
             study.draw(
                 page,
                 Chart.lines(listOf(chi, single), axis, "dynamic susceptibility χ₄(t)", logX = true, horizontal = 0.0),
@@ -73,8 +74,8 @@ internal class RelaxationPart(
             Chart.lines(listOf(curve), axis, "intermediate scattering F(k, t)", logX = true, horizontal = 0.0),
             "intermediate-scattering",
             "intermediate scattering function",
-            "Intermediate scattering function of all particles, averaged over ${scattering.vectorCount} wave vectors of " +
-                "mean |k| = $k; at the lag 0 it is S(k) = ${ReportText.short(f.scattering[0])}. $bars",
+            "Intermediate scattering function of all particles, averaged over ${scattering.vectorCount} wave vectors " +
+                "of mean |k| = $k; at the lag 0 it is S(k) = ${ReportText.short(f.scattering[0])}. $bars",
         )
         val columns = listOf(
             Column("lag", unit, f.lag),

@@ -60,7 +60,10 @@ internal class RelaxationSection(private val study: Study) : Section {
         if (particles == ids.size) scattering?.add(state) else scattering = null
     }
 
-    override val leftOut get() = "the states do not say how often particles crossed the box".takeIf { trajectories == null }
+    override val leftOut get() = "the states do not say how often particles crossed the box".takeIf {
+        trajectories ==
+            null
+    }
 
     override fun write(page: ReportPage) {
         val t = trajectories ?: return

@@ -126,7 +126,9 @@ internal class VelocityPart(private val study: Study, private val axes: List<Int
         val error = study.judgement.errors(found.normalisedError())
         val c = Curve("C(t)/C(0)", found.lag, found.normalised, error)
         val nu = expected()?.value
-        val enskog = nu?.let { Curve("Enskog, exp(−2νt/d)", found.lag, DoubleArray(found.lag.size) { k -> exp(it * found.lag[k]) }) }
+        val enskog = nu?.let {
+            Curve("Enskog, exp(−2νt/d)", found.lag, DoubleArray(found.lag.size) { k -> exp(it * found.lag[k]) })
+        }
         val bars = study.judgement.bars("Bars are one standard error.")
         study.draw(
             page,

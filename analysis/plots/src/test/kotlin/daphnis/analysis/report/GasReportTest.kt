@@ -53,18 +53,30 @@ class GasReportTest {
         val numbers = numbers(path)
         fun value(key: String, k: Int = 1) = numbers.getValue(key)[k].toDouble()
         val slope = value("velocity_correlation_slope")
-        assertEquals(-2.0 / 3 * value("collisions_per_particle") * 108 / 107, value("velocity_correlation_slope", 4), 1e-9)
+        assertEquals(
+            -2.0 / 3 * value("collisions_per_particle") * 108 / 107,
+            value("velocity_correlation_slope", 4),
+            1e-9,
+        )
         assertEquals(value("velocity_correlation_slope", 4), slope, 4 * value("velocity_correlation_slope", 2) + 0.05)
         val both = value("self_diffusion_green_kubo", 2) + value("self_diffusion", 2)
         assertEquals(value("self_diffusion"), value("self_diffusion_green_kubo"), both)
         assertTrue(both < 0.1 * value("self_diffusion"))
         assertEquals(4.8717, value("chemical_potential", 4), 0.01)
-        assertEquals(4.8717, value("chemical_potential"), 4 * value("chemical_potential", 2) + value("chemical_potential", 6))
+        assertEquals(
+            4.8717,
+            value("chemical_potential"),
+            4 * value("chemical_potential", 2) + value("chemical_potential", 6),
+        )
         // As Python and sweeps have them.
         val keys = Analysis(AnalysisInput.ofRun(path)).numbers().map { it.key }
         assertTrue(keys.containsAll(NumberKeys.VELOCITIES + NumberKeys.INSERTED)) { "$keys" }
         // A point fits exactly into what is free.
-        assertEquals(-ln(1 - 108 * PI / 6 / (5.7337 * 5.7337 * 5.7337)), column(path, "insertion", "mu_ex_over_kT")[0], 1e-12)
+        assertEquals(
+            -ln(1 - 108 * PI / 6 / (5.7337 * 5.7337 * 5.7337)),
+            column(path, "insertion", "mu_ex_over_kT")[0],
+            1e-12,
+        )
         assertEquals(21, column(path, "insertion", "theory").size)
         val c = column(path, "velocity-autocorrelation", "C_normalised")
         assertTrue(c[0] == 1.0 && abs(c[1] - (1 + slope * 0.025)) < 0.03 && c.size > 40)
@@ -76,7 +88,13 @@ class GasReportTest {
         val page = Files.readString(path.resolve("report.html"))
         for (heading in listOf("Diffusion", "Relaxation", "Insertion")) assertTrue(">$heading</h2>" in page) { heading }
         assertTrue("The dashed line is D by displacements" in page && "No velocity autocorrelation" !in page)
-        for (plot in listOf("velocity-autocorrelation", "green-kubo", "overlap", "dynamic-susceptibility", "insertion")) {
+        for (plot in listOf(
+            "velocity-autocorrelation",
+            "green-kubo",
+            "overlap",
+            "dynamic-susceptibility",
+            "insertion",
+        )) {
             assertTrue(Files.exists(path.resolve("plots/$plot.svg"))) { plot }
         }
     }
@@ -92,7 +110,11 @@ class GasReportTest {
         assertFalse(Files.exists(path.resolve("tables/velocity-autocorrelation.csv")))
         assertTrue(numbers(path).keys.none { it in NumberKeys.VELOCITIES })
         val page = Files.readString(path.resolve("report.html"))
-        assertTrue(Regex("No velocity autocorrelation: states are 0\\.240? .*\\(output.snapshotEvery\\)").containsMatchIn(page))
+        assertTrue(
+            Regex(
+                "No velocity autocorrelation: states are 0\\.240? .*\\(output.snapshotEvery\\)",
+            ).containsMatchIn(page),
+        )
     }
 
     @Tag("thorough")
@@ -111,7 +133,9 @@ class GasReportTest {
         assertTrue("It is clearly negative from" in Files.readString(dense.resolve("report.html")))
         val two = report("two", "elastic-gas", *gas("[0.5,0.3]", 5.0, 108, 16), "output.snapshotEvery=10")
         assertTrue("chemical_potential" !in numbers(two))
-        val (found, errors, theory) = listOf("mu_ex_over_kT", "mu_ex_over_kT_error", "theory").map { column(two, "insertion", it) }
+        val (found, errors, theory) = listOf("mu_ex_over_kT", "mu_ex_over_kT_error", "theory").map {
+            column(two, "insertion", it)
+        }
         assertTrue((1..20).all { abs(found[it] - theory[it]) < 5 * errors[it] + 0.05 * theory[it] })
     }
 
