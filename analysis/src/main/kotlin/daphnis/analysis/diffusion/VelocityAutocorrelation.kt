@@ -48,10 +48,11 @@ public class VelocityAutocorrelation @JvmOverloads constructor(
             val apart = velocities.time(k + 1) - velocities.time(k)
             require(abs(apart - step) <= UNEVEN * step) { "states are $apart apart and not $step as others are" }
         }
-        val lags = minOf((velocities.size / 2).toDouble(), longest / step * (1 + ROUNDING)).toInt() + 1
+        val wanted = minOf((velocities.size / 2).toDouble(), longest / step * (1 + ROUNDING)).toInt() + 1
         // The integral over one step is that of the cubic through four lags.
-        lag = DoubleArray(maxOf(lags, SMALL[1].size)) { it * step }
-        byOrigin = Array(lag.size) { l -> DoubleArray(velocities.size - l) { product(velocities, it, it + l) } }
+        val lags = maxOf(wanted, SMALL[1].size)
+        byOrigin = Array(lags) { l -> DoubleArray(velocities.size - l) { product(velocities, it, it + l) } }
+        lag = DoubleArray(lags) { it * step }
     }
 
     private fun product(v: Trajectories, first: Int, second: Int): Double {

@@ -11,7 +11,7 @@ import kotlin.math.sqrt
  * P_yy = p β/(β + ζ) and the others. P_yy = P_zz is what this approximation has; terms of second order make P_yy less.
  *
  * All are over the pressure p, a third of the trace of P, of discs half of it. Of spheres of filling factor 0.01 they
- * are within 2 % of a run (docs/validation.md).
+ * are within 0.03 of runs with α from 0.8 on (docs/validation.md).
  *
  * @param restitution α, in (0, 1]
  * @param dimensions 3, or 2 for discs

@@ -59,9 +59,8 @@ class GasReportTest {
             1e-9,
         )
         assertEquals(value("velocity_correlation_slope", 4), slope, 4 * value("velocity_correlation_slope", 2) + 0.05)
-        val both = value("self_diffusion_green_kubo", 2) + value("self_diffusion", 2)
-        assertEquals(value("self_diffusion"), value("self_diffusion_green_kubo"), both)
-        assertTrue(both < 0.1 * value("self_diffusion"))
+        // The same by both ways, but for places of 128 states and velocities of all.
+        assertEquals(1.0, value("self_diffusion_green_kubo") / value("self_diffusion"), 0.1)
         assertEquals(4.8717, value("chemical_potential", 4), 0.01)
         assertEquals(
             4.8717,
@@ -81,7 +80,7 @@ class GasReportTest {
         val c = column(path, "velocity-autocorrelation", "C_normalised")
         assertTrue(c[0] == 1.0 && abs(c[1] - (1 + slope * 0.025)) < 0.03 && c.size > 40)
         val q = column(path, "overlap", "Q")
-        assertTrue(q[0] > 0.9 && q.last() < 0.3 && column(path, "overlap", "chi_4").max() > 0.1)
+        assertTrue(q[0] > 0.9 && q.last() < 0.3 && column(path, "overlap", "chi_4").any { it > 0.1 })
         val f = column(path, "intermediate-scattering", "F")
         val at = column(path, "intermediate-scattering", "lag")
         assertTrue(at[0] == 0.0 && f[0] in 1.0..1.8 && abs(f.last()) < 0.4) { "$f" }
