@@ -9,7 +9,7 @@ import kotlin.math.sqrt
 /**
  * Wave vectors that fit a box, in shells of |k| from 0 to [largest]: along the axes that have images, and leaning with
  * images that have slid. Of k and −k, which tell the same, one is there. Of a shell that has more than [most], so many
- * are taken, spread over the shell: the same ones for equal boxes.
+ * are taken, spread over the shell: the same ones for equal boxes. Vectors shorter than [least] are left out.
  */
 internal class WaveVectors(
     private val boundary: BoundaryConditions,
@@ -17,6 +17,7 @@ internal class WaveVectors(
     private val largest: Double,
     private val shells: Int,
     most: Int,
+    private val least: Double = 0.0,
 ) {
     private val shear = boundary.shear?.takeIf { boundary.hasImages(it.normalAxis) && boundary.hasImages(it.slideAxis) }
     private val lean = shear?.let { it.offset(time) / boundary.box.length(it.normalAxis) } ?: 0.0
@@ -55,8 +56,9 @@ internal class WaveVectors(
         for (x in 0..reach[0]) {
             for (y in (if (x == 0) 0 else -reach[1])..reach[1]) {
                 for (z in (if (x == 0 && y == 0) 1 else -reach[2])..reach[2]) {
-                    val s = (length(x, y, z) / largest * shells).toInt()
-                    if (s < shells) action(s, x, y, z)
+                    val length = length(x, y, z)
+                    val s = (length / largest * shells).toInt()
+                    if (s < shells && length >= least) action(s, x, y, z)
                 }
             }
         }

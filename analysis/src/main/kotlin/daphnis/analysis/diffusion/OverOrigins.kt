@@ -28,18 +28,26 @@ internal object OverOrigins {
         }
     }
 
-    /** The same of a [function] of the means of [columns], by its jackknife pseudovalues over blocks. */
-    fun error(columns: Array<DoubleArray>, length: Int, function: OfMeans): Double {
+    /**
+     * The same of a [function] of the means of [columns], by its jackknife pseudovalues over blocks.
+     *
+     * @param least no error is less than this part of what blocks that know nothing of one another would have: of sums
+     *   over events that are nearly independent a spectrum that is low by chance tells less than that
+     */
+    fun error(columns: Array<DoubleArray>, length: Int, least: Double = 0.0, function: OfMeans): Double {
         val windows = columns[0].size / length
         if (windows < MeanSquareDisplacement.FEWEST_WINDOWS) return Double.NaN
         val blocks = Array(columns.size) { blocks(columns[it], windows) }
-        if (windows >= FEWEST_MEASURED) return BlockAverage.of(blocks, function).error
+        val isMeasured = windows >= FEWEST_MEASURED
+        val measured = if (isMeasured) BlockAverage.of(blocks, function).error else Double.NaN
+        if (isMeasured && (measured.isNaN() || least == 0.0)) return measured
         val sums = DoubleArray(columns.size) { blocks[it].sum() }
         val without = DoubleArray(windows) { w ->
             function.of(DoubleArray(columns.size) { (sums[it] - blocks[it][w]) / (windows - 1) })
         }
         val mean = without.average()
-        return sqrt(without.sumOf { (it - mean) * (it - mean) } * (windows - 1) / windows * OVERLAP)
+        val apart = sqrt(without.sumOf { (it - mean) * (it - mean) } * (windows - 1) / windows)
+        return if (isMeasured) maxOf(measured, least * apart) else apart * sqrt(OVERLAP)
     }
 
     /** A rough error of the average of [series], also where there are few blocks of [length] places. */

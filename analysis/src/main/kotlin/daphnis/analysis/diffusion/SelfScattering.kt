@@ -49,8 +49,7 @@ public class SelfScattering @JvmOverloads constructor(
         require(trajectories.particles >= 2) { "one particle; there must be 2 at least" }
         require(waveNumber > 0 && waveNumber.isFinite()) { "the wave number is $waveNumber; it must be positive" }
         require(most >= 2) { "$most particles at most; there must be 2" }
-        steps = generateSequence(1) { maxOf(it + 1, (it * GROWTH).toInt()) }
-            .takeWhile { it <= trajectories.size / 2 }.toList().toIntArray()
+        steps = Lags.upToHalf(trajectories.size)
         val every = (trajectories.particles + most - 1) / most
         val dimensions = trajectories.coordinates.size
         lag = DoubleArray(steps.size)
@@ -59,8 +58,7 @@ public class SelfScattering @JvmOverloads constructor(
         nonGaussian = DoubleArray(steps.size)
         nonGaussianError = DoubleArray(steps.size)
         for ((l, step) in steps.withIndex()) {
-            val origins = trajectories.size - step
-            lag[l] = (0 until origins).sumOf { trajectories.time(it + step) - trajectories.time(it) } / origins
+            lag[l] = Lags.mean(trajectories.size, step, trajectories::time)
             val (f, two, four) = byOrigin(trajectories, step, every)
             scattering[l] = f.average()
             scatteringError[l] = OverOrigins.error(f, step)
@@ -107,9 +105,5 @@ public class SelfScattering @JvmOverloads constructor(
         if (at < 1 || scattering[at] <= 0) return Double.NaN
         val share = ln(scattering[at - 1] / level) / ln(scattering[at - 1] / scattering[at])
         return lag[at - 1] * (lag[at] / lag[at - 1]).pow(share)
-    }
-
-    private companion object {
-        const val GROWTH = 1.2
     }
 }

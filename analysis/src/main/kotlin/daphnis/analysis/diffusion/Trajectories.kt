@@ -3,12 +3,15 @@ package daphnis.analysis.diffusion
 import daphnis.core.format.Snapshot
 import daphnis.core.orbit.OrbitalFrequencies
 
-/** A coordinate in which particles may diffuse. */
+/** A coordinate of particles that is followed over time: one in which they may diffuse, or a velocity. */
 public sealed interface Coordinate {
     /** Its name in tables. */
     public val name: String
 
-    /** The unwrapped coordinate of the particle at [index] of [snapshot], whose images must be known. */
+    /** Whether a snapshot must say how often particles crossed the box. */
+    public val needsImages: Boolean get() = true
+
+    /** The unwrapped coordinate of the particle at [index] of [snapshot], whose images must be known if it needs them. */
     public fun of(snapshot: Snapshot, index: Int): Double
 
     /** Position along [axis] (0 = x, 1 = y, 2 = z): of a periodic axis along which nothing flows. */
@@ -33,6 +36,14 @@ public sealed interface Coordinate {
                 crossed(snapshot, 0, index)
     }
 
+    /** Velocity along [axis] (0 = x, 1 = y, 2 = z), along which nothing flows. */
+    public class Velocity(private val axis: Int) : Coordinate {
+        override val name: String = "v" + "xyz"[axis]
+        override val needsImages: Boolean get() = false
+
+        override fun of(snapshot: Snapshot, index: Int): Double = snapshot.velocity[axis][index]
+    }
+
     private companion object {
         fun crossed(snapshot: Snapshot, axis: Int, index: Int): Double {
             val image =
@@ -47,7 +58,7 @@ public sealed interface Coordinate {
 }
 
 /**
- * Positions of particles at many times, unwrapped and relative to their centre of mass, so that a common drift is no
+ * Coordinates of particles at many times, unwrapped and relative to their centre of mass, so that a common drift is no
  * displacement. Nor is what moves with the edges of a box that changes: along a periodic axis a displacement is that of
  * the place in edges of the box, times the mean edge of both times. Keeps 8 bytes for each particle, coordinate and time,
  * and 16 more for each particle and coordinate.
@@ -82,13 +93,13 @@ public class Trajectories(public val coordinates: List<Coordinate>, private val 
     /**
      * Adds one more state, later than the previous ones.
      *
-     * @throws IllegalArgumentException when it is not later, has no images, or lacks a particle
+     * @throws IllegalArgumentException when it is not later, has no images but needs them, or lacks a particle
      */
     public fun add(snapshot: Snapshot) {
         require(times.isEmpty() || snapshot.time > times.last()) {
             "a state at time ${snapshot.time} after one at ${times.last()}; times must ascend"
         }
-        requireNotNull(snapshot.image) {
+        require(snapshot.image != null || coordinates.none { it.needsImages }) {
             "the state at time ${snapshot.time} does not say how often particles crossed the box"
         }
         val indices = IntArray(ids.size)

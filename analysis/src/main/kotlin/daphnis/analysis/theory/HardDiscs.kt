@@ -1,6 +1,7 @@
 package daphnis.analysis.theory
 
 import kotlin.math.PI
+import kotlin.math.ln
 
 /**
  * Compressibility p A/(N kT) of equal hard discs by area fraction ν, in the limit of many of them, and values of the
@@ -20,6 +21,11 @@ public object HardDiscs {
     /** g(σ) of the fluid that goes with [henderson]. */
     @JvmStatic
     public fun hendersonContact(filling: Double): Double = (1 - 7 * filling / 16) / ((1 - filling) * (1 - filling))
+
+    /** μ_ex/kT of the fluid that goes with [henderson], by its integral over the density. */
+    @JvmStatic
+    public fun hendersonChemicalPotential(filling: Double): Double =
+        9.0 / 8 * filling / (1 - filling) - 7.0 / 8 * ln(1 - filling) + henderson(filling) - 1
 
     /** S(0⁺) = d(nkT)/dp of the fluid that goes with [henderson]. */
     @JvmStatic

@@ -1,6 +1,7 @@
 package daphnis.analysis.theory
 
 import kotlin.math.PI
+import kotlin.math.ln
 
 /**
  * The fluid of hard spheres of several sizes by Boublík 1970, J. Chem. Phys. 53, 471, Grundke & Henderson 1972, Mol.
@@ -44,6 +45,27 @@ public class HardSphereMixture(diameters: DoubleArray, densities: DoubleArray) {
             val cube = moments[2] * moments[2] * moments[2]
             return 1 / free + pairs + cube * (3 - moments[3]) / (moments[0] * free * free * free)
         }
+
+    /**
+     * μ_ex/kT of one more sphere of [diameter], of one of the kinds or of none: −ln of the probability that it fits in
+     * at a random place. A cubic in the diameter, the derivative of the free energy by the moments of the sizes (Reiss,
+     * Frisch & Lebowitz 1959, J. Chem. Phys. 31, 369, for its form); −ln(1 − φ) of a point is exact.
+     *
+     * @throws IllegalArgumentException for a diameter that is negative or not finite
+     */
+    public fun excessChemicalPotential(diameter: Double): Double {
+        require(diameter >= 0 && diameter.isFinite()) { "the diameter is $diameter; it must be 0 or more" }
+        val free = 1 - moments[3]
+        val log = ln(free)
+        // Of the free energy (x₂³/x₃² − x₀) ln(1 − x₃) + 3 x₁x₂/(1 − x₃) + x₂³/(x₃ (1 − x₃)²) by each of the moments x.
+        val ratio = moments[2] / moments[3]
+        val first = 3 * moments[2] / free
+        val second = 3 * ratio * ratio * log + 3 * moments[1] / free + 3 * moments[2] * ratio / (free * free)
+        val cube = moments[2] * ratio * ratio
+        val third = -2 * ratio * ratio * ratio * log - (cube - moments[0]) / free +
+            3 * moments[1] * moments[2] / (free * free) + cube * (2 * moments[3] / free - 1) / (free * free)
+        return -log + diameter * (first + diameter * (second + diameter * third))
+    }
 
     /** g_ij at contact of spheres of the kinds [first] and [second]. */
     public fun contactValue(first: Int, second: Int): Double {

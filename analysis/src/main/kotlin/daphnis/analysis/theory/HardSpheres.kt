@@ -39,6 +39,13 @@ public object HardSpheres {
         return (1 - filling / 2) / (free * free * free)
     }
 
+    /** μ_ex/kT of the fluid that goes with [carnahanStarling]: (8φ − 9φ² + 3φ³)/(1 − φ)³. */
+    @JvmStatic
+    public fun carnahanStarlingChemicalPotential(filling: Double): Double {
+        val free = 1 - filling
+        return filling * (8 + filling * (3 * filling - 9)) / (free * free * free)
+    }
+
     /** S(0⁺) = d(nkT)/dp of the fluid that goes with [carnahanStarling]. */
     @JvmStatic
     public fun carnahanStarlingLongWaveLimit(filling: Double): Double {

@@ -189,6 +189,15 @@ public class Transport @JvmOverloads constructor(
         get() = average(*diagonal(::carried), *virials()) { it.sum() / space.dimensions }
 
     /**
+     * [pressure] by component over [pressure]: normal stresses, which add up to the number of dimensions, and the ratio
+     * of shear stress to pressure. NaN without pressure.
+     */
+    public fun pressureRatio(component: String): BlockAverage =
+        average(*diagonal(::carried), *virials(), during(carried(component)), added(virial(component), MASS)) {
+            (it[PARTS] + it[PARTS + 1]) / (0 until PARTS).sumOf { k -> it[k] } * space.dimensions
+        }
+
+    /**
      * Compressibility: pressure over [temperature], the pressure too without the mean flow as it is measured; 1 for
      * points, whatever flows.
      */
@@ -229,6 +238,11 @@ public class Transport @JvmOverloads constructor(
 
     private fun gravity() = table[GRAVITY_XY].let { g ->
         DoubleArray(intervals) { g[it + 1] / table[MASS][it + 1] * length[it] }
+    }
+
+    private companion object {
+        /** Columns of the trace of the pressure tensor. */
+        const val PARTS = 6
     }
 
     /** The state's [column] times the length of each interval. */

@@ -6,6 +6,7 @@ import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 import kotlin.math.PI
 import kotlin.math.abs
+import kotlin.math.ln
 
 class HardSpheresTest {
     /** Measured by others in the limit of many spheres, nσ³ = 0.1, 0.2 … 0.9. */
@@ -140,5 +141,60 @@ class HardSpheresTest {
         }
         assertEquals(z, HardDiscs.luding(0.5), 2e-3 * z)
         assertEquals(5e-3, HardDiscs.henderson(0.5) / z - 1, 1e-3)
+    }
+
+    @Test
+    fun `chemical potentials are the integrals of their equations of state, and of a point what is free`() {
+        for ((filling, known) in listOf(0.1 to 0.97805, 0.2 to 2.46875, 0.3 to 4.87172)) {
+            assertEquals(known, HardSpheres.carnahanStarlingChemicalPotential(filling), 5e-6)
+            val one = HardSphereMixture(doubleArrayOf(1.0), doubleArrayOf(filling * 6 / PI))
+            assertEquals(known, one.excessChemicalPotential(1.0), 5e-6)
+            assertEquals(-ln(1 - filling), one.excessChemicalPotential(0.0), 1e-15)
+        }
+        // Of discs: φ dμ/dφ = d(φ Z)/dφ − 1.
+        val h = 1e-5
+        fun rise(of: (Double) -> Double) = (of(0.4 + h) - of(0.4 - h)) / (2 * h)
+        val expected = rise { it * HardDiscs.henderson(it) } - 1
+        assertEquals(expected, 0.4 * rise(HardDiscs::hendersonChemicalPotential), 1e-6)
+        assertEquals(0.0, HardDiscs.hendersonChemicalPotential(0.0))
+    }
+
+    @Test
+    fun `chemical potentials of a mixture are derivatives of one free energy, whose pressure is its own`() {
+        val diameters = doubleArrayOf(1.0, 0.6)
+        fun mixture(a: Double, b: Double) = HardSphereMixture(diameters, doubleArrayOf(a, b))
+        val (a, b, h) = Triple(0.3, 0.5, 1e-5)
+        // Of one free energy, so that ∂μ_a/∂n_b = ∂μ_b/∂n_a.
+        val first = (mixture(a, b + h).excessChemicalPotential(1.0) - mixture(a, b - h).excessChemicalPotential(1.0))
+        val second = (mixture(a + h, b).excessChemicalPotential(0.6) - mixture(a - h, b).excessChemicalPotential(0.6))
+        assertEquals(first, second, 1e-9)
+        // Gibbs and Duhem: Σ n dμ_ex = d(p − n kT).
+        fun pressure(s: Double) = mixture(a * s, b * s).let { it.compressibility - 1 } * (a + b) * s
+        fun sum(s: Double) = mixture(a * s, b * s).let {
+            a * it.excessChemicalPotential(1.0) + b * it.excessChemicalPotential(0.6)
+        }
+        assertEquals(pressure(1 + h) - pressure(1 - h), sum(1 + h) - sum(1 - h), 1e-9)
+        // A large one makes room against the pressure, which this equation has to 1 % only.
+        val far = mixture(a, b).excessChemicalPotential(1e5) / (PI / 6 * 1e15)
+        assertEquals(1.0, far / ((a + b) * mixture(a, b).compressibility), 0.01)
+        assertThrows(IllegalArgumentException::class.java) { mixture(a, b).excessChemicalPotential(-1.0) }
+    }
+
+    @Test
+    fun `stresses of a dilute shear flow are those of Grad, and add up`() {
+        for ((alpha, known) in listOf(
+            0.8 to listOf(0.84848, 1.30303, 0.43913),
+            0.9 to listOf(0.92063, 1.15873, 0.33106),
+        )) {
+            val shear = DiluteShear(alpha)
+            assertEquals(known[0], shear.acrossFlow, 5e-6)
+            assertEquals(known[1], shear.alongFlow, 5e-6)
+            assertEquals(known[2], shear.shearStress, 5e-6)
+            assertEquals(3.0, shear.alongFlow + 2 * shear.acrossFlow, 1e-15)
+            assertEquals(2.0, DiluteShear(alpha, 2).let { it.alongFlow + it.acrossFlow }, 1e-15)
+        }
+        assertEquals(0.0, DiluteShear(1.0).shearStress)
+        assertThrows(IllegalArgumentException::class.java) { DiluteShear(1.1) }
+        assertThrows(IllegalArgumentException::class.java) { DiluteShear(0.9, 4) }
     }
 }

@@ -54,6 +54,11 @@ class TransportTest {
         assertEquals(4.05, transport.dissipation.mean, 1e-12)
         assertEquals(9 * 0.5 / 4.05, transport.energyBalance.mean, 1e-12)
         assertEquals(0.5 + 0.8, transport.pressure("xx").mean, 1e-12)
+        val ratios = listOf("xx", "yy", "zz").map { transport.pressureRatio(it).mean }
+        assertEquals(1.3 / 3.4 * 3, ratios[0], 1e-12)
+        assertEquals(1.1 / 3.4 * 3, ratios[1], 1e-12)
+        assertEquals(3.0, ratios.sum(), 1e-14)
+        assertEquals(1.2 / 3.4 * 3, transport.pressureRatio("xy").mean, 1e-12)
         assertEquals(1.5, transport.scaleHeight.mean, 1e-12)
         assertEquals(0.5, transport.viscosity.mean, 1e-12)
         assertEquals((1.0 + 2.4) / 3, transport.pressure.mean, 1e-12)

@@ -54,6 +54,26 @@ class ShearFlowTest {
         }
     }
 
+    /**
+     * DynamO's own test (src/dynamo/tests/shearing_test.cpp, revision 08346f1): 1372 spheres from an fcc lattice, nσ³ =
+     * 0.5, e = 0.9, after some 80 strains; a mean free time of 0.113195634 to 1 %.
+     */
+    @Test
+    fun `spheres collide as often as those of DynamO`() {
+        val count = 1372
+        val box = cube(count, 0.5 * Math.PI / 6)
+        val settle = if (fullPhysics) 80.0 else 30.0
+        val statistics = CollisionStatistics(from = settle)
+        val p = gas(count, box, 1, true, shearRate = 1.0)
+        val guard = FloorSpeedGuard(1e-6)
+        val end = settle + if (fullPhysics) 165.0 else 40.0
+        gasSimulation(p, LeesEdwards(box, 1.0), 0.02, 0.9, guard, record = true, outputs = listOf(statistics)).use {
+            while (it.time < end) it.advance()
+            val rate = 2.0 * statistics.count / count / (it.time - settle)
+            assertPhysics("ν, e = 0.9, nσ³ = 0.5, γ = 1", 1 / 0.113195634, rate, if (fullPhysics) 0.01 else 0.015)
+        }
+    }
+
     /** @return temperature, pressure, shear stress, loss over work */
     private fun measure(case: Case, seed: Long): DoubleArray {
         val count = 2048

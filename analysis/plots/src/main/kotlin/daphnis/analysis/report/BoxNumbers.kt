@@ -93,7 +93,8 @@ internal class BoxNumbers(private val study: Study) {
         return ElasticReferences.of(scenario, last, filling, motion.temperature.mean, bulk.numberDensity) +
             CoolingReferences.of(scenario, last) +
             References.ofHeated(scenario, last, bulk.numberDensity) +
-            References.ofShear(scenario, last, filling)
+            References.ofShear(scenario, last, filling) +
+            References.ofDiluteShear(scenario, last, filling)
     }
 
     /** T/(γσ)², stresses over ρ_p σ²γ² with ρ_p the mass of a sphere over its volume, of a disc over its area. */
@@ -110,6 +111,9 @@ internal class BoxNumbers(private val study: Study) {
         rows.average("reduced_pressure", "pressure p* = p/(ρ_p σ²γ²)", transport.pressure * stress, "")
         val shearStress = transport.pressure("xy") * (-stress * Math.signum(rate))
         rows.average("reduced_shear_stress", "shear stress τ* = −P_xy/(ρ_p σ²γ²)", shearStress, "")
+        normalStresses(transport)
+        val ratio = transport.pressureRatio("xy") * -Math.signum(rate)
+        rows.average("shear_stress_ratio", "shear stress −P_xy/p", ratio, "")
         rows.average("viscosity_translational", "viscosity, translational", transport.translational, units.viscosity)
         rows.average("viscosity_collisional", "viscosity, collisional", transport.collisional, units.viscosity)
         rows.average("viscosity_total", "viscosity, total", transport.viscosity, units.viscosity)
@@ -120,5 +124,13 @@ internal class BoxNumbers(private val study: Study) {
             "",
             "1 in a steady state",
         )
+    }
+
+    /** They add up to the number of dimensions. */
+    private fun normalStresses(transport: Transport) {
+        for (axis in "xyz".take(space.dimensions)) {
+            val name = "normal stress P_$axis$axis/p"
+            rows.average("normal_stress_$axis$axis", name, transport.pressureRatio("$axis$axis"), "")
+        }
     }
 }

@@ -49,9 +49,17 @@ internal class DiffusionSection(private val study: Study) : Section {
         displacement == null -> "too few particles"
         else -> null
     }
-    override val followed = if (trajectories == null) emptyList() else chosen
+    private val velocities =
+        VelocityPart(study, if (trajectories == null || omega != null) emptyList() else axes(last, study.last.boundary))
+    private val places = if (trajectories == null) emptySet() else chosen.toSet()
+    private val moving = velocities.followed.toSet()
+    override val followed = (places + moving).sorted()
+    private var seen = 0
 
     override fun follow(snapshot: Snapshot) {
+        val k = followed[seen++]
+        if (k in moving) velocities.follow(snapshot)
+        if (k !in places) return
         if (snapshot.image == null) trajectories = null
         trajectories?.add(snapshot)
     }
@@ -76,7 +84,7 @@ internal class DiffusionSection(private val study: Study) : Section {
             )
         }
         val all = coordinates.indices.toList().toIntArray()
-        val mean = d.diffusion(*all) ?: return emptyList()
+        val mean = d.diffusion(*all) ?: return velocities.numbers(null)
         val along = all.map {
             val axis = coordinates[it].name
             row(
@@ -88,7 +96,7 @@ internal class DiffusionSection(private val study: Study) : Section {
             )
         }
         val whole = if (all.size == 1) null else row("self_diffusion", "self-diffusion D", mean, units.viscosity, 1.0)
-        return (listOf(whole, infinite(mean)) + along).filterNotNull()
+        return (listOf(whole, infinite(mean)) + along).filterNotNull() + velocities.numbers(mean)
     }
 
     /** What an epicycle does within an orbit is no diffusion. */
@@ -147,9 +155,7 @@ internal class DiffusionSection(private val study: Study) : Section {
             listOf(Column("msd_${it.name}", unit, it.y), Column("msd_${it.name}_error", unit, it.error!!))
         }
         Table("mean-square-displacement", listOf(Column("lag", time, lag)) + columns).write(study.tables)
-        if (omega == null && coordinates.size == study.last.dimensions) {
-            trajectories?.let { ScatteringPart(study, it).write(page) }
-        }
+        if (omega == null) velocities.write(page, d.diffusion(*coordinates.indices.toList().toIntArray()))
     }
 
     private fun caption(d: MeanSquareDisplacement): String {
@@ -182,8 +188,12 @@ internal class DiffusionSection(private val study: Study) : Section {
     private fun coordinates(snapshot: Snapshot, boundary: BoundaryConditions): List<Coordinate> = if (omega != null) {
         listOf(Coordinate.GuidingCentre(input.frequencies!!), Coordinate.Position(0))
     } else {
-        (0..2).filter { snapshot.periodic[it] && it != boundary.meanFlow?.flowAxis }.map { Coordinate.Position(it) }
+        axes(snapshot, boundary).map { Coordinate.Position(it) }
     }
+
+    /** Of a box, those along which particles may diffuse. */
+    private fun axes(snapshot: Snapshot, boundary: BoundaryConditions) =
+        (0..2).filter { snapshot.periodic[it] && it != boundary.meanFlow?.flowAxis }
 
     private companion object {
         /** What the errors rest on. */

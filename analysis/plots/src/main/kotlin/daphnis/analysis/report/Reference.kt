@@ -1,6 +1,7 @@
 package daphnis.analysis.report
 
 import daphnis.analysis.insitu.State
+import daphnis.analysis.theory.DiluteShear
 import daphnis.analysis.theory.HeatedGas
 import daphnis.core.orbit.OrbitalFrequencies
 import daphnis.core.scenario.Scenario
@@ -101,6 +102,23 @@ internal object References {
         )
     }
 
+    /** Of a dilute gas in a Lees–Edwards box: its stresses over the pressure. */
+    fun ofDiluteShear(scenario: Scenario, last: State, filling: Double): Map<String, Reference> {
+        val restitution = scenario.restitution.constant ?: return emptyMap()
+        val isSheared = scenario.boundary.shearRate != null
+        if (!isSheared || !isPlain(scenario, last) || restitution < LEAST_SHEARED || filling > MOST_DILUTE) {
+            return emptyMap()
+        }
+        val shear = DiluteShear(restitution, last.dimensions)
+        fun grad(value: Double) = Reference(value, DILUTE_BOUND, "Grad, Santos, Garzó & Dufty 2004")
+        return mapOf(
+            "normal_stress_xx" to grad(shear.alongFlow),
+            "normal_stress_yy" to grad(shear.acrossFlow),
+            "normal_stress_zz" to grad(shear.acrossFlow),
+            "shear_stress_ratio" to grad(shear.shearStress),
+        )
+    }
+
     /** Temperature and a₂ of a gas that white noise heats, van Noije & Ernst 1998. */
     fun ofHeated(scenario: Scenario, last: State, numberDensity: Double): Map<String, Reference> {
         val restitution = scenario.restitution.constant ?: return emptyMap()
@@ -142,6 +160,14 @@ internal object References {
 
     /** Floor speed of a guard, in rms speeds, that nothing measured depends on. */
     private const val FELT = 1e-4
+
+    /**
+     * Filling factor up to which a gas counts as dilute, least restitution, and what Grad's approximation and collisions
+     * at this density make of P_ab/p: P_yy is smaller than P_zz by terms of second order.
+     */
+    private const val MOST_DILUTE = 0.011
+    private const val LEAST_SHEARED = 0.8
+    private const val DILUTE_BOUND = 0.03
     private const val NOIJE = "van Noije & Ernst 1998"
     private const val LEAST_HEATED = 0.6
 

@@ -1,6 +1,5 @@
 package daphnis.analysis.report
 
-import daphnis.analysis.correlation.SpatialStructureFactor
 import daphnis.analysis.diffusion.SelfScattering
 import daphnis.analysis.diffusion.Trajectories
 import daphnis.analysis.plot.Chart
@@ -9,24 +8,13 @@ import daphnis.analysis.table.Column
 import daphnis.analysis.table.Table
 import daphnis.analysis.table.UnitNames
 
-/** F_s(k, t) at the peak of S(k), and α₂(t), of particles that are free along all axes of a box at rest. */
-internal class ScatteringPart(private val study: Study, private val trajectories: Trajectories) {
+/** F_s(k, t) at the [waveNumber] of the peak of S(k), and α₂(t), of particles that are free along all axes of a box at rest. */
+internal class ScatteringPart(
+    private val study: Study,
+    private val trajectories: Trajectories,
+    private val waveNumber: Double,
+) {
     private val units = study.units
-    private val diameter = 2 * study.bulk.meanRadius
-
-    /**
-     * Where S(k) of the last state is highest, over three bins, near one wave in a diameter; just that wave for a gas
-     * too dilute to have a peak.
-     */
-    private val waveNumber: Double by lazy {
-        if (study.bulk.fillingFactor < LEAST_FILLED) return@lazy 2 * Math.PI / diameter
-        val factor = SpatialStructureFactor(PEAKS * 2 * Math.PI / diameter, BINS)
-        val s = factor.of(study.last)
-        val peak = (BINS * 3 / 8 until BINS - 1).maxBy {
-            (s[it - 1] + s[it] + s[it + 1]).let { v -> if (v.isNaN()) 0.0 else v }
-        }
-        factor.waveNumbers(study.last)[peak]
-    }
 
     fun write(page: ReportPage) {
         val found = SelfScattering(trajectories, waveNumber)
@@ -85,8 +73,5 @@ internal class ScatteringPart(private val study: Study, private val trajectories
         /** F_s below which nothing of it is left. */
         const val NOISE = 0.05
         const val DENSER = "the shortest time between two states. More states would show it (output.snapshotEvery)."
-        const val LEAST_FILLED = 0.1
-        const val PEAKS = 1.6
-        const val BINS = 64
     }
 }

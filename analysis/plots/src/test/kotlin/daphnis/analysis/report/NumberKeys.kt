@@ -14,6 +14,10 @@ internal object NumberKeys {
         "reduced_temperature",
         "reduced_pressure",
         "reduced_shear_stress",
+        "normal_stress_xx",
+        "normal_stress_yy",
+        "normal_stress_zz",
+        "shear_stress_ratio",
         "viscosity_translational",
         "viscosity_collisional",
         "viscosity_total",
@@ -63,6 +67,8 @@ internal object NumberKeys {
         "wave_growth_frequency",
     )
     val HELFAND = listOf("viscosity_helfand", "bulk_viscosity_helfand", "conductivity_helfand")
+    val VELOCITIES = listOf("self_diffusion_green_kubo", "velocity_correlation_slope")
+    const val INSERTED: String = "chemical_potential"
     private const val INFINITE = "self_diffusion_infinite_box"
     private const val GUIDING_CENTRES = "guiding_centre_diffusion"
 
@@ -101,7 +107,7 @@ internal object NumberKeys {
     private const val DISCS = "area_fraction"
     private const val WALLS = "wall_work_over_dissipation"
     private const val PISTON = "volume"
-    private val single = listOf(INFINITE, GUIDING_CENTRES, DISCS, WALLS, PISTON) + HELFAND
+    private val single = listOf(INFINITE, GUIDING_CENTRES, DISCS, WALLS, PISTON, INSERTED) + HELFAND + VELOCITIES
 
     private val all =
         listOf(RING, ROUGH_GAS, SELF_GRAVITY, SHEARED, MOONLET, DIFFUSION, WAVES, FLUID, ORDER, CLUSTERS, single)
