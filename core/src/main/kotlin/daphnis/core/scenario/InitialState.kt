@@ -2,6 +2,7 @@ package daphnis.core.scenario
 
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
+import daphnis.core.boundary.isChanging
 import daphnis.core.boundary.roomAt
 import daphnis.core.boundary.roomIn
 import daphnis.core.format.Snapshot
@@ -15,6 +16,7 @@ import daphnis.core.wall.RoomSide
  * Makes the population from which a scenario starts. Sizes, places and velocities are drawn from separate streams, so
  * that changing one does not change the others.
  *
+ * @param boundary what it is at the start
  * @param start the state to start from, in place of the placement's file
  */
 internal class InitialState(
@@ -25,8 +27,15 @@ internal class InitialState(
     private val materials: Materials,
     private val start: Snapshot? = null,
 ) {
-    /** Where spheres can be at the start: walls that move may not be at the faces of the box then. */
-    private val room = if (boundary.walls.any { it.motion != null }) roomAtStart() else box
+    /**
+     * Where spheres can be at the start: walls that move may not be at the faces of the box then, and a box that changes
+     * is not what it is on average.
+     */
+    private val room = when {
+        boundary.walls.any { it.motion != null } -> roomAtStart()
+        boundary.isChanging -> boundary.box
+        else -> box
+    }
 
     private fun roomAtStart(): Box = try {
         boundary.roomAt(scenario.startTime)
