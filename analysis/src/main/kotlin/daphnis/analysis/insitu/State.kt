@@ -2,6 +2,7 @@ package daphnis.analysis.insitu
 
 import daphnis.core.Simulation
 import daphnis.core.boundary.BoundaryConditions
+import daphnis.core.boundary.at
 import daphnis.core.orbit.OrbitalFrequencies
 import daphnis.core.population.Population
 
@@ -15,11 +16,14 @@ import daphnis.core.population.Population
  */
 public class State @JvmOverloads constructor(
     public val population: Population,
-    public val boundary: BoundaryConditions,
+    boundary: BoundaryConditions,
     public val time: Double,
     public val frequencies: OrbitalFrequencies? = null,
     public val firstBody: Int = Int.MAX_VALUE,
 ) {
+    /** What it is at the [time]. */
+    public val boundary: BoundaryConditions = boundary.at(time)
+
     /** In Hill's frame of angular speed [omega] around a point mass. */
     @JvmOverloads
     public constructor(
@@ -50,8 +54,9 @@ public class State @JvmOverloads constructor(
     public fun againstFlow(index: Int, axis: Int): Double {
         val v = population.velocity(axis)[index]
         val flow = boundary.meanFlow ?: return v
-        if (axis != flow.flowAxis) return v
-        return v - flow.rate * population.position(flow.normalAxis)[index]
+        val gradient = flow.gradient(axis)
+        if (gradient == 0.0) return v
+        return v - gradient * population.position(flow.normalAxis)[index]
     }
 
     public companion object {

@@ -1,6 +1,7 @@
 package daphnis.core.engine
 
 import daphnis.core.boundary.BoundaryConditions
+import daphnis.core.boundary.at
 import daphnis.core.collision.CollapseGuard
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.collision.CollisionLaw
@@ -134,8 +135,9 @@ public class CollisionForcing @JvmOverloads constructor(
     internal fun bind(population: Population, boundary: BoundaryConditions, time: Double) {
         val states = states
         if (states == null || population.bonds !== Bonds.NONE) return
-        Reach().measure(population, boundary, SHORT)
-        states.bind(population, boundary, time)
+        val then = boundary.at(time)
+        Reach().measure(population, then, SHORT)
+        states.bind(population, then, time)
     }
 
     /** Requires that no sphere that has grown by mergers touches its own image. */

@@ -55,8 +55,8 @@ public class HillSheet @JvmOverloads constructor(
 
     /** Around a point mass, with angular speed [omega]. */
     @JvmOverloads
-    public constructor(box: Box, omega: Double, radiallyOpen: Boolean = false) :
-        this(box, OrbitalFrequencies(omega), radiallyOpen)
+    public constructor(box: Box, omega: Double, radiallyOpen: Boolean = false, perturbation: Double = 0.0) :
+        this(box, OrbitalFrequencies(omega), radiallyOpen, perturbation)
 
     /** Ω in radians per unit of time. */
     public val omega: Double get() = frequencies.omega
