@@ -3,8 +3,10 @@ package daphnis.analysis.insitu
 import daphnis.core.Simulation
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.at
+import daphnis.core.boundary.isChanging
 import daphnis.core.orbit.OrbitalFrequencies
 import daphnis.core.population.Population
+import kotlin.math.PI
 
 /**
  * A state to be measured: a population as it stands, shared and not copied, in its boundary conditions. Of a live
@@ -42,6 +44,13 @@ public class State @JvmOverloads constructor(
 
     /** Area of the box in the x-y plane. */
     public val area: Double get() = boundary.box.length(0) * boundary.box.length(1)
+
+    /** The same over a period in which the box becomes wider and narrower. */
+    public val meanArea: Double get() {
+        val period = frequencies?.let { 2 * PI / it.kappa }
+        if (period == null || !boundary.isChanging) return area
+        return listOf(0.0, period / 2).map { boundary.at(it).box }.sumOf { it.length(0) * it.length(1) } / 2
+    }
 
     /** Whether the sphere at [index] is a particle and not a body. */
     public fun isParticle(index: Int): Boolean = firstBody == Int.MAX_VALUE || population.id[index] < firstBody
