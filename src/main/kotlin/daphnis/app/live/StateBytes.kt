@@ -170,7 +170,10 @@ internal class StateBytes(private val scale: PlotScale, private val most: Int = 
 
     /** The mean flow that is taken out of speeds; null where there is none. */
     private fun flow(state: State): String? = state.boundary.meanFlow?.let {
-        "v_${"xyz"[it.flowAxis]} = ${short(it.rate)} ${"xyz"[it.normalAxis]} (rate in ${scale.units.rate})"
+        val across = "xyz"[it.normalAxis]
+        val spread = if (it.spread == 0.0) "" else "v_$across = ${short(it.spread)} $across, "
+        "${spread}v_${"xyz"[it.flowAxis]} = ${short(it.rate)} $across (${if (spread.isEmpty()) "rate" else "rates"} in " +
+            "${scale.units.rate})"
     }
 
     private fun short(number: Double): String = String.format(Locale.ROOT, "%.4g", number)

@@ -60,6 +60,9 @@ internal class InitialState(
         val areProportions = placement.pressure != null
         val drawn = DrawnRadii(spec, kinds, box, check, areProportions, boundary.roomIn(box)) { stream(SIZES) }.draw()
         var radii = drawn.radii
+        check.must("bodies[0]", scenario.bodies.isEmpty() || !boundary.isChanging) {
+            "is a body; with boundary.perturbation > 0 there can be none, as a body would meet its images as they breathe"
+        }
         val bodies = Bodies(scenario.bodies, spec, box.space, check).apply { checkRoom(boundary) }
         val placed = try {
             checkRadii(radii)

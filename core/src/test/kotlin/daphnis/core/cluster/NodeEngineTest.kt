@@ -1,13 +1,17 @@
 package daphnis.core.cluster
 
+import daphnis.core.FixedTimeStep
+import daphnis.core.Simulation
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.Periodic
+import daphnis.core.boundary.at
 import daphnis.core.cluster.bricks.BrickAhead
 import daphnis.core.cluster.bricks.HaloMargins
 import daphnis.core.cluster.bricks.LongBox
 import daphnis.core.compression.GrowingSpheres
 import daphnis.core.engine.Case
 import daphnis.core.engine.CollisionEngine
+import daphnis.core.engine.CollisionForcing
 import daphnis.core.engine.Draw
 import daphnis.core.engine.Draws
 import daphnis.core.engine.OddDraw
@@ -15,6 +19,7 @@ import daphnis.core.engine.SerialEngine
 import daphnis.core.engine.assertSameStep
 import daphnis.core.engine.failure
 import daphnis.core.engine.horizon.HorizonTuning
+import daphnis.core.hill.HillFrame
 import daphnis.core.hill.HillSheet
 import daphnis.core.population.stateDigest
 import daphnis.core.randomSpheres
@@ -90,6 +95,28 @@ class NodeEngineTest {
             }
         }
         assertTrue(wrong > 5) { "only $wrong cases are wrong without a comparison" }
+    }
+
+    @Test
+    fun `a box that narrows and widens under its cuts changes no bit`() {
+        val boundary = HillSheet(Box.centred(12.0, 20.0, 6.0), 0.2, perturbation = 0.6)
+        val start = randomSpheres(300, boundary.at(0.0), 4, 0.5) { 0.3 }
+        fun sheet(engine: CollisionEngine) = Simulation(
+            start.copy(),
+            boundary,
+            CollisionForcing(ConstantRestitution(0.7), engine = engine, recordCollisions = true),
+            FixedTimeStep(0.4),
+            listOf(HillFrame(0.2)),
+        )
+        val serial = sheet(SerialEngine())
+        sheet(NodesTogether(Random(1), intArrayOf(1, 2, 1))).use { nodes ->
+            for (step in 1..80) {
+                serial.advance()
+                nodes.advance()
+                assertSameStep(serial, nodes, "step $step")
+            }
+        }
+        assertTrue(serial.collisions!!.counters.collisions > 1000)
     }
 
     @Test

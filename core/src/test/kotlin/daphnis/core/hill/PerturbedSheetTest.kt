@@ -10,6 +10,7 @@ import daphnis.core.boundary.prepare
 import daphnis.core.engine.BruteForceEngine
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.engine.SerialEngine
+import daphnis.core.format.Snapshot
 import daphnis.core.initial.SeededRandom
 import daphnis.core.orbit.OrbitalFrequencies
 import daphnis.core.population.Population
@@ -62,6 +63,12 @@ class PerturbedSheetTest {
             expected[1] += turns * width
             val scale = maxOf(1.0, abs(free[1]))
             for (k in 0..5) worst = maxOf(worst, abs(found[k] - expected[k]) / scale)
+            val file = Snapshot.of(p, sheet, 1, t)
+            val edges = file.edges()
+            for (axis in 0..1) {
+                val whole = file.position[axis][0] + (0..1).sumOf { file.image!![it][0] * edges[it][axis] }
+                assertEquals(free[axis], whole, 1e-11 * scale * orbits)
+            }
             val now = sheet.at(t).box
             assertTrue(p.x[0] >= now.lowerX && p.x[0] < now.upperX && p.y[0] >= -width / 2 && p.y[0] < width / 2)
         }
@@ -189,6 +196,39 @@ class PerturbedSheetTest {
             return stateDigest(p)
         }
         assertEquals(digest(plain), digest(zero))
+    }
+
+    @Test
+    fun `whatever is put back is in the box of the time, as its image, in any order and any parts`() {
+        val sheet = HillSheet(box, OrbitalFrequencies(omega, 0.9), perturbation = 0.8)
+        val random = SeededRandom(8)
+        val n = 300
+        fun far(edge: Double) = DoubleArray(n) { random.nextDouble(-9 * edge, 9 * edge) }
+        val start = Population(
+            far(length), far(width), far(1.0), far(1.0), far(1.0), far(1.0),
+            DoubleArray(n) { 0.1 }, DoubleArray(n) { 1.0 },
+        )
+        for (t in listOf(0.0, 1.3, 7.7)) {
+            val step = sheet.during(t - 0.1, 0.1)!!
+            val whole = start.copy().also { step.endStep(it, t) }
+            val parts = start.copy()
+            for ((from, to) in listOf(200 to n, 0 to 1, 1 to 200)) step.endStep(parts, t, from, to)
+            assertEquals(stateDigest(whole), stateDigest(parts))
+            val images = Images().also { it.prepare(sheet.at(t), t) }
+            val chords = Images().also { it.prepare(step, t - 0.1) }
+            val now = sheet.at(t)
+            for (k in 0 until n) {
+                val m = -whole.boxesCrossed(k, 0)
+                val along = -whole.boxesCrossed(k, 1) + (m * now.shear!!.turns(t)).toInt()
+                val code = Images.code(m, along, 0)
+                for (axis in 0..1) {
+                    val x = whole.position(axis)[k]
+                    assertTrue(x >= now.box.lower(axis) && x < now.box.upper(axis)) { "$k at $x along $axis" }
+                    assertEquals(start.position(axis)[k] + images.shift(code, axis), x, 1e-11)
+                    assertEquals(start.velocity(axis)[k] + chords.slide(code, axis), whole.velocity(axis)[k], 1e-11)
+                }
+            }
+        }
     }
 
     @Test

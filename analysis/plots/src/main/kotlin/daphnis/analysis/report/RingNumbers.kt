@@ -68,7 +68,8 @@ internal class RingNumbers(private val study: Study, private val orbits: Orbital
             "velocity dispersion, total",
             motion.totalDispersion per speed,
             "r Ω",
-            "around the orbital shear, with waves${bulk.byMass}",
+            "around the ${if (PerturbedSheet.isSeen(study.last)) "flow of streamlines" else "orbital shear"}, with waves" +
+                bulk.byMass,
         )
         for (axis in listOf("x", "y", "z")) {
             rows.average("sigma_$axis", "σ_$axis", motion.moment("$axis$axis").root() per speed, "r Ω")
