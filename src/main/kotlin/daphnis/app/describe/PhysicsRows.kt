@@ -139,7 +139,8 @@ internal class PhysicsRows(private val setup: ScenarioSetup, private val say: Qu
     }
 
     /** Of one component: the root of the granular temperature. */
-    private fun dispersion() = sqrt(granularTemperature(population, setup.boundary.at(scenario.startTime), scenario.firstBody))
+    private fun dispersion() =
+        sqrt(granularTemperature(population, setup.boundary.at(scenario.startTime), scenario.firstBody))
 
     private fun collisions() {
         rows.add("restitution", restitution())

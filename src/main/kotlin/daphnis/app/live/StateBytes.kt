@@ -172,7 +172,9 @@ internal class StateBytes(private val scale: PlotScale, private val most: Int = 
     private fun flow(state: State): String? = state.boundary.meanFlow?.let {
         val across = "xyz"[it.normalAxis]
         val spread = if (it.spread == 0.0) "" else "v_$across = ${short(it.spread)} $across, "
-        "${spread}v_${"xyz"[it.flowAxis]} = ${short(it.rate)} $across (${if (spread.isEmpty()) "rate" else "rates"} in " +
+        "${spread}v_${"xyz"[it.flowAxis]} = ${short(
+            it.rate,
+        )} $across (${if (spread.isEmpty()) "rate" else "rates"} in " +
             "${scale.units.rate})"
     }
 

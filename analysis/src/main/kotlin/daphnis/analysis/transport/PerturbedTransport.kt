@@ -61,7 +61,8 @@ public class PerturbedTransport(
     /**
      * What is carried over the mean surface density, in each period: of the particles that move, and of all.
      */
-    private val translational = inPeriods(sums { row, carried -> if (carried.isJump) 0.0 else flux(time[row], carried) })
+    private val translational =
+        inPeriods(sums { row, carried -> if (carried.isJump) 0.0 else flux(time[row], carried) })
     private val flux = inPeriods(sums { row, carried -> flux(time[row], carried) })
 
     /** P V/M along xx and yx. */
@@ -99,8 +100,7 @@ public class PerturbedTransport(
     }
 
     /** What [sum] gains in each period. */
-    private fun inPeriods(sum: DoubleArray): DoubleArray =
-        DoubleArray(periods) { at(sum, it + 1) - at(sum, it) }
+    private fun inPeriods(sum: DoubleArray): DoubleArray = DoubleArray(periods) { at(sum, it + 1) - at(sum, it) }
 
     /** [values] at the end of period [k]. */
     private fun at(values: DoubleArray, k: Int): Double {

@@ -273,7 +273,9 @@ public sealed interface BoundarySpec {
             radiallyOpen -> "ringlet, repeats along y"
             perturbation == 0.0 -> "shearing sheet, repeats along x and y"
             else ->
-                "perturbed shearing sheet, repeats along x and y; q = ${number.apply(perturbation)}: once in a radial " +
+                "perturbed shearing sheet, repeats along x and y; q = ${number.apply(
+                    perturbation,
+                )}: once in a radial " +
                     "period it narrows to ${number.apply(1 - perturbation)} and widens to " +
                     "${number.apply(1 + perturbation)} of its length along x, and is narrowest at time 0"
         }

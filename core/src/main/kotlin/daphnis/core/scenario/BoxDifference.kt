@@ -1,8 +1,8 @@
 package daphnis.core.scenario
 
 import daphnis.core.boundary.BoundaryConditions
-import daphnis.core.boundary.at
 import daphnis.core.boundary.ContactFaces
+import daphnis.core.boundary.at
 import daphnis.core.format.Snapshot
 import kotlin.math.abs
 

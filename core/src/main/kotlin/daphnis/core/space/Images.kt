@@ -40,13 +40,7 @@ public class Images {
      * From now on images across [normalAxis] are displaced by [offset] along [slideAxis], slide with [velocity] and
      * move away with [velocityAcross].
      */
-    internal fun slide(
-        normalAxis: Int,
-        slideAxis: Int,
-        offset: Double,
-        velocity: Double,
-        velocityAcross: Double,
-    ) {
+    internal fun slide(normalAxis: Int, slideAxis: Int, offset: Double, velocity: Double, velocityAcross: Double) {
         this.normalAxis = normalAxis
         this.slideAxis = slideAxis
         this.offset = offset

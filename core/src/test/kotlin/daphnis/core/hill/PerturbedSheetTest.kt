@@ -146,7 +146,9 @@ class PerturbedSheetTest {
         return populationOf(
             *places.map {
                 Sphere(
-                    it[0], it[1], it[2],
+                    it[0],
+                    it[1],
+                    it[2],
                     random.nextGaussian() + flow.spread * it[0],
                     random.nextGaussian() + flow.rate * it[0],
                     random.nextGaussian(),
@@ -205,8 +207,14 @@ class PerturbedSheetTest {
         val n = 300
         fun far(edge: Double) = DoubleArray(n) { random.nextDouble(-9 * edge, 9 * edge) }
         val start = Population(
-            far(length), far(width), far(1.0), far(1.0), far(1.0), far(1.0),
-            DoubleArray(n) { 0.1 }, DoubleArray(n) { 1.0 },
+            far(length),
+            far(width),
+            far(1.0),
+            far(1.0),
+            far(1.0),
+            far(1.0),
+            DoubleArray(n) { 0.1 },
+            DoubleArray(n) { 1.0 },
         )
         for (t in listOf(0.0, 1.3, 7.7)) {
             val step = sheet.during(t - 0.1, 0.1)!!

@@ -68,7 +68,14 @@ internal class RingNumbers(private val study: Study, private val orbits: Orbital
             "velocity dispersion, total",
             motion.totalDispersion per speed,
             "r Ω",
-            "around the ${if (PerturbedSheet.isSeen(study.last)) "flow of streamlines" else "orbital shear"}, with waves" +
+            "around the ${if (PerturbedSheet.isSeen(
+                    study.last,
+                )
+            ) {
+                "flow of streamlines"
+            } else {
+                "orbital shear"
+            }}, with waves" +
                 bulk.byMass,
         )
         for (axis in listOf("x", "y", "z")) {
