@@ -36,8 +36,8 @@ internal class PerturbedSection(private val study: Study) : Section {
             Chart.lines(curves, "phase κt/2π", ""),
             "perturbation",
             "surface density, velocity dispersion and flux of angular momentum by phase",
-            "Surface density, velocity dispersion around the flow of streamlines, and flux of angular momentum in the " +
-                "course of a period; the flux is outward where it is positive.",
+            "Surface density, velocity dispersion around the flow of streamlines, and flux of angular momentum in " +
+                "the course of a period; the flux is outward where it is positive.",
         )
         Table(
             "perturbation",

@@ -107,8 +107,10 @@ internal object NumberKeys {
     private val single = listOf(INFINITE, GUIDING_CENTRES, DISCS, WALLS, PISTON) + HELFAND
 
     private val all =
-        listOf(RING, PERTURBED, ROUGH_GAS, SELF_GRAVITY, SHEARED, MOONLET, DIFFUSION, WAVES, FLUID, ORDER, CLUSTERS, single)
-            .flatten().toSet()
+        listOf(
+            RING, PERTURBED, ROUGH_GAS, SELF_GRAVITY, SHEARED, MOONLET, DIFFUSION, WAVES, FLUID, ORDER, CLUSTERS,
+            single,
+        ).flatten().toSet()
 
     /** Keys in the first column of the guide's table of numbers. */
     private fun documented(): List<String> {
