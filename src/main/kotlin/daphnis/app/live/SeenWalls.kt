@@ -25,7 +25,7 @@ internal class SeenWalls(
 
     private val places = DoubleArray(2 * AXES) { face ->
         val axis = face shr 1
-        val rest = if (face and 1 == 0) boundary.box.lower(axis) else boundary.box.upper(axis)
+        val rest = if (face and 1 == 0) this.boundary.box.lower(axis) else this.boundary.box.upper(axis)
         val motion = boundary.walls[face]?.motion
         rest + if (motion is Piston) pistons(face) ?: 0.0 else motion?.displacement(time) ?: 0.0
     }

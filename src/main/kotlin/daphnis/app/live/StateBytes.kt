@@ -15,6 +15,7 @@ import java.nio.ByteBuffer
 import java.nio.ByteOrder
 import java.util.Locale
 import kotlin.math.sqrt
+import kotlin.math.abs
 
 /**
  * States as the page draws them. The length of the head in bytes, an int; the head, JSON; columns of floats with x, y,
@@ -171,7 +172,7 @@ internal class StateBytes(private val scale: PlotScale, private val most: Int = 
     /** The mean flow that is taken out of speeds; null where there is none. */
     private fun flow(state: State): String? = state.boundary.meanFlow?.let {
         val across = "xyz"[it.normalAxis]
-        val spread = if (it.spread == 0.0) "" else "v_$across = ${short(it.spread)} $across, "
+        val spread = if (abs(it.spread) <= ROUNDING * abs(it.rate)) "" else "v_$across = ${short(it.spread)} $across, "
         "${spread}v_${"xyz"[it.flowAxis]} = ${short(
             it.rate,
         )} $across (${if (spread.isEmpty()) "rate" else "rates"} in " +
@@ -184,6 +185,7 @@ internal class StateBytes(private val scale: PlotScale, private val most: Int = 
         /** 50 MB; what a browser draws as points. */
         const val MOST = 2_000_000
         private const val AXES = 3
+        private const val ROUNDING = 1e-12
         private const val ALIGNED = 4
         private const val BYTES_A_SPHERE = 6 * Float.SIZE_BYTES + 1
         private const val RARE = 1e-3
