@@ -14,8 +14,8 @@ import kotlinx.serialization.json.buildJsonObject
 import java.nio.ByteBuffer
 import java.nio.ByteOrder
 import java.util.Locale
-import kotlin.math.sqrt
 import kotlin.math.abs
+import kotlin.math.sqrt
 
 /**
  * States as the page draws them. The length of the head in bytes, an int; the head, JSON; columns of floats with x, y,

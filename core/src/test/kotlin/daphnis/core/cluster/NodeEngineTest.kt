@@ -2,6 +2,7 @@ package daphnis.core.cluster
 
 import daphnis.core.FixedTimeStep
 import daphnis.core.Simulation
+import daphnis.core.Sphere
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.Periodic
 import daphnis.core.boundary.at
@@ -22,6 +23,7 @@ import daphnis.core.engine.horizon.HorizonTuning
 import daphnis.core.hill.HillFrame
 import daphnis.core.hill.HillSheet
 import daphnis.core.population.stateDigest
+import daphnis.core.populationOf
 import daphnis.core.randomSpheres
 import daphnis.core.simulationOf
 import daphnis.core.surface.ConstantRestitution
@@ -133,6 +135,61 @@ class NodeEngineTest {
             }
         }
         assertTrue(serial.collisions!!.counters.collisions > 1000)
+    }
+
+    @Test
+    fun `spheres that rest in a box that narrows meet across cuts that move with it`() {
+        var collisions = 0L
+        for (seed in 1..40L) {
+            val sheet = HillSheet(Box.centred(40.0, 3.0, 3.0), 0.1, perturbation = 0.8)
+            val from = 42.0
+            val start = randomSpheres(40, Periodic(sheet.at(from).box), seed, 0.01) { 0.3 }
+            fun narrowing(engine: CollisionEngine) = Simulation(
+                start.copy(),
+                sheet,
+                CollisionForcing(ConstantRestitution(1.0), engine = engine, recordCollisions = true),
+                FixedTimeStep(0.7),
+                startTime = from,
+                startStep = 1,
+            )
+            val serial = narrowing(SerialEngine())
+            narrowing(NodesTogether(Random(seed), intArrayOf(8, 8)) { HaloMargins(0.0, 0.0) }).use { nodes ->
+                for (step in 1..6) {
+                    serial.advance()
+                    nodes.advance()
+                    assertSameStep(serial, nodes, "seed $seed, step $step")
+                }
+            }
+            collisions += serial.collisions!!.counters.collisions
+        }
+        assertTrue(collisions > 60) { "only $collisions" }
+    }
+
+    @Test
+    fun `two spheres at rest that meet only steps after space was cut meet across the cuts`() {
+        val sheet = HillSheet(Box.centred(40.0, 3.0, 3.0), 0.1, perturbation = 0.8)
+        var collisions = 0L
+        for (k in 0..20) {
+            val x = 20.0 + 0.3 * k
+            fun narrowing(engine: CollisionEngine) = Simulation(
+                populationOf(Sphere(x = -x, r = 0.3), Sphere(x = x, y = 0.1, r = 0.3)),
+                sheet,
+                CollisionForcing(ConstantRestitution(1.0), engine = engine, recordCollisions = true),
+                FixedTimeStep(0.7),
+                startTime = 42.0,
+                startStep = 1,
+            )
+            val serial = narrowing(SerialEngine())
+            narrowing(NodesTogether(Random(1), intArrayOf(2, 2)) { HaloMargins(0.0, 0.0) }).use { nodes ->
+                for (step in 1..6) {
+                    serial.advance()
+                    nodes.advance()
+                    assertSameStep(serial, nodes, "from $x, step $step")
+                }
+            }
+            collisions += serial.collisions!!.counters.collisions
+        }
+        assertTrue(collisions > 2) { "only $collisions" }
     }
 
     @Test

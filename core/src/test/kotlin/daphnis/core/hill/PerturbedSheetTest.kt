@@ -8,14 +8,18 @@ import daphnis.core.boundary.at
 import daphnis.core.boundary.isChanging
 import daphnis.core.boundary.prepare
 import daphnis.core.engine.BruteForceEngine
+import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.engine.SerialEngine
 import daphnis.core.format.Snapshot
 import daphnis.core.initial.SeededRandom
 import daphnis.core.orbit.OrbitalFrequencies
 import daphnis.core.population.Population
+import daphnis.core.population.PopulationSums
 import daphnis.core.population.stateDigest
 import daphnis.core.populationOf
+import daphnis.core.run.StepSums
+import daphnis.core.search.Overlap
 import daphnis.core.space.Images
 import daphnis.core.surface.ConstantRestitution
 import org.junit.jupiter.api.Assertions.assertEquals
@@ -163,7 +167,7 @@ class PerturbedSheetTest {
         var collisions = 0L
         for (seed in 1L..6L) {
             val sheet = HillSheet(Box.centred(8.0, 9.0, 4.0), omega, perturbation = 0.12 * seed)
-            fun simulation(engine: daphnis.core.engine.CollisionEngine) = Simulation(
+            fun simulation(engine: CollisionEngine) = Simulation(
                 ring(sheet, seed),
                 sheet,
                 CollisionForcing(ConstantRestitution(0.7), engine = engine),
@@ -180,6 +184,59 @@ class PerturbedSheetTest {
             collisions += serial.collisions!!.counters.collisions
         }
         assertTrue(collisions > 400) { "$collisions collisions" }
+    }
+
+    @Test
+    fun `spheres that rest are met by images that come nearer, and those that overlap through a face are seen`() {
+        var collisions = 0L
+        for (seed in 1L..30L) {
+            val sheet = HillSheet(Box.centred(30.0, 6.0, 6.0), 0.1, perturbation = 0.8)
+            val start = ring(HillSheet(Box.centred(30.0, 6.0, 6.0), 0.1), seed)
+            for (axis in 0..2) start.velocity(axis).fill(0.0)
+            // From three quarters of a period on the box narrows, by more than a diameter in a step.
+            val from = 4.2 / 0.1
+            val by = sheet.at(from).box.length(0) / 30.0
+            for (k in 0 until start.size) start.x[k] *= by
+            fun simulation(engine: CollisionEngine) = Simulation(
+                start.copy(),
+                sheet,
+                CollisionForcing(ConstantRestitution(0.7), engine = engine),
+                FixedTimeStep(1.0),
+                startTime = from,
+                startStep = 1,
+            )
+            val serial = simulation(SerialEngine())
+            val all = simulation(BruteForceEngine())
+            repeat(2) {
+                serial.advance()
+                all.advance()
+                assertEquals(stateDigest(all.population), stateDigest(serial.population)) { "seed $seed, step $it" }
+            }
+            collisions += serial.collisions!!.counters.collisions
+        }
+        assertTrue(collisions > 20) { "$collisions collisions" }
+        val pair = populationOf(Sphere(x = -2.4, r = 0.5), Sphere(x = 2.4, r = 0.5))
+        val narrow = HillSheet(box, omega, perturbation = 0.5)
+        assertEquals(0.8, Overlap.deepest(pair, narrow, 0.0).depth, 1e-12)
+        assertEquals(0.0, Overlap.deepest(pair, narrow, orbit / 2).depth)
+    }
+
+    @Test
+    fun `sums over velocities are against the flow of the time`() {
+        val sheet = HillSheet(box, omega, perturbation = 0.5)
+        val p = ring(sheet, 5)
+        val sums = StepSums(PopulationSums(sheet.meanFlow))
+        Simulation(p, sheet, null, FixedTimeStep(orbit / 37), listOf(HillFrame(omega))).use { simulation ->
+            repeat(9) {
+                simulation.advance()
+                val flow = sheet.at(simulation.time).meanFlow!!
+                val expected = PopulationSums(flow).apply { take(p) }
+                assertEquals(expected.kinetic.toList(), sums.of(simulation).kinetic.toList())
+                assertEquals(expected.mean.toList(), sums.of(simulation).mean.toList())
+                val w = DoubleArray(p.size) { p.vx[it] - flow.spread * p.x[it] }
+                assertEquals(w.sumOf { (it - w.average()) * (it - w.average()) } / p.size, expected.kinetic[0], 1e-12)
+            }
+        }
     }
 
     @Test
