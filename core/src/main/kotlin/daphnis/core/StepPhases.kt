@@ -51,6 +51,9 @@ public class StepPhases internal constructor(
     /** Null where no wall is a piston. */
     private val pistons = Pistons.of(boundary, collisions?.record, population, partition)
 
+    /** What [boundary] is in the step under way. */
+    private var present = boundary
+
     private val undo = StepUndo(population, collisions?.counters)
 
     /** Whether the state at the end of the step is known to be finite. */
@@ -83,8 +86,9 @@ public class StepPhases internal constructor(
 
     /** Moves every sphere along its path to the end of the step, with every collision in time order. */
     public fun drift(start: Double, duration: Double) {
+        present = boundary.during(start, duration) ?: boundary
         if (collisions != null) {
-            collisions.advance(population, boundary, start, duration)
+            collisions.advance(population, present, start, duration)
             collisions.scatter(population, partition, start)
             // Another engine around that one may have written more.
             hasDriftedFinite = (collisions.engine as? EndsFinite)?.endedFinite == true
@@ -98,6 +102,7 @@ public class StepPhases internal constructor(
      * write the population between [drift] and this.
      */
     public fun applyBoundary(end: Double) {
+        val boundary = present
         if (boundary !is PerSphereBoundary) {
             boundary.endStep(population, end)
             val gone = population.news?.takeRemoved() ?: IntArray(0)

@@ -2,6 +2,7 @@ package daphnis.app.describe
 
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.ContactFaces
+import daphnis.core.boundary.at
 import daphnis.core.initial.fillingFactor
 import daphnis.core.population.SpinSums
 import daphnis.core.population.granularTemperature
@@ -88,7 +89,9 @@ internal class CollisionRate private constructor(
 
         /** Of motion; where there are spins, of motion and rotation together. */
         private fun temperature(setup: ScenarioSetup): Double {
-            val ofMotion = granularTemperature(setup.population, setup.boundary, setup.scenario.firstBody)
+            val ofMotion = setup.boundary.at(setup.scenario.startTime).let {
+                granularTemperature(setup.population, it, setup.scenario.firstBody)
+            }
             if (!setup.population.hasSpin) return ofMotion
             val space = setup.boundary.space
             val spins = SpinSums(setup.scenario.momentFactor, space).apply { take(setup.population) }

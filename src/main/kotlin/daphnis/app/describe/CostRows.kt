@@ -141,10 +141,11 @@ internal class CostRows(private val setup: ScenarioSetup, private val say: Quant
 
     private fun search() {
         val axes = 0 until space.dimensions
-        val reach = Reach().apply { measure(setup.population, setup.boundary, dt) }
+        val boundary = setup.boundary.during(scenario.startTime, dt) ?: setup.boundary
+        val reach = Reach().apply { measure(setup.population, boundary, dt) }
         rows.add("reach in a step", axes.joinToString(" x ") { say.length(reach.bound[it]) })
         val grid = Grid().apply {
-            build(setup.population, setup.boundary, scenario.startTime, dt, reach.bound, structure = scenario.search)
+            build(setup.population, boundary, scenario.startTime, dt, reach.bound, structure = scenario.search)
         }
         for (size in 0 until grid.classes) {
             val radii = if (grid.classes > 1) ", for radii up to ${say.length(grid.largestRadius(size))}" else ""

@@ -1,6 +1,8 @@
 package daphnis.app.describe
 
 import daphnis.core.boundary.ContactFaces
+import daphnis.core.boundary.at
+import daphnis.core.boundary.isChanging
 import daphnis.core.initial.fillingFactor
 import daphnis.core.input.Quantities
 import daphnis.core.input.Quantities.Companion.number
@@ -117,7 +119,12 @@ internal class PhysicsRows(private val setup: ScenarioSetup, private val say: Qu
             setup.boundary.walls.surfaces.isEmpty() &&
                 (0 until box.space.dimensions).any { setup.boundary.contactFaces(it) == ContactFaces.OPEN }
         val name = if (box.space.isPlane) "area fraction" else "filling factor"
-        rows.add(name, number(fillingFactor(radii, setup.boundary)) + if (open) " of the box at the start" else "")
+        val ofBox = when {
+            setup.boundary.isChanging -> " of the box as it is on average"
+            open -> " of the box at the start"
+            else -> ""
+        }
+        rows.add(name, number(fillingFactor(radii, setup.boundary)) + ofBox)
         setup.angularSpeed ?: return
         val area = box.length(0) * box.length(1)
         rows.add("optical depth", number(radii.sumOf { Math.PI * it * it } / area))
@@ -132,7 +139,8 @@ internal class PhysicsRows(private val setup: ScenarioSetup, private val say: Qu
     }
 
     /** Of one component: the root of the granular temperature. */
-    private fun dispersion() = sqrt(granularTemperature(population, setup.boundary, scenario.firstBody))
+    private fun dispersion() =
+        sqrt(granularTemperature(population, setup.boundary.at(scenario.startTime), scenario.firstBody))
 
     private fun collisions() {
         rows.add("restitution", restitution())

@@ -2,6 +2,7 @@ package daphnis.app.live
 
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.ContactFaces
+import daphnis.core.boundary.at
 import daphnis.core.scenario.BoundarySpec
 import daphnis.core.scenario.WallSurfaceSpec
 import daphnis.core.wall.Piston
@@ -15,14 +16,16 @@ import daphnis.core.wall.Piston
  *   known, and then it is drawn where it began
  */
 internal class SeenWalls(
-    private val boundary: BoundaryConditions,
+    boundary: BoundaryConditions,
     private val spec: BoundarySpec?,
     val time: Double,
     pistons: (Int) -> Double? = { (boundary.walls[it]?.motion as? Piston)?.position },
 ) {
+    private val boundary = boundary.at(time)
+
     private val places = DoubleArray(2 * AXES) { face ->
         val axis = face shr 1
-        val rest = if (face and 1 == 0) boundary.box.lower(axis) else boundary.box.upper(axis)
+        val rest = if (face and 1 == 0) this.boundary.box.lower(axis) else this.boundary.box.upper(axis)
         val motion = boundary.walls[face]?.motion
         rest + if (motion is Piston) pistons(face) ?: 0.0 else motion?.displacement(time) ?: 0.0
     }

@@ -14,6 +14,7 @@ import kotlinx.serialization.json.buildJsonObject
 import java.nio.ByteBuffer
 import java.nio.ByteOrder
 import java.util.Locale
+import kotlin.math.abs
 import kotlin.math.sqrt
 
 /**
@@ -170,7 +171,12 @@ internal class StateBytes(private val scale: PlotScale, private val most: Int = 
 
     /** The mean flow that is taken out of speeds; null where there is none. */
     private fun flow(state: State): String? = state.boundary.meanFlow?.let {
-        "v_${"xyz"[it.flowAxis]} = ${short(it.rate)} ${"xyz"[it.normalAxis]} (rate in ${scale.units.rate})"
+        val across = "xyz"[it.normalAxis]
+        val spread = if (abs(it.spread) <= ROUNDING * abs(it.rate)) "" else "v_$across = ${short(it.spread)} $across, "
+        "${spread}v_${"xyz"[it.flowAxis]} = ${short(
+            it.rate,
+        )} $across (${if (spread.isEmpty()) "rate" else "rates"} in " +
+            "${scale.units.rate})"
     }
 
     private fun short(number: Double): String = String.format(Locale.ROOT, "%.4g", number)
@@ -179,6 +185,7 @@ internal class StateBytes(private val scale: PlotScale, private val most: Int = 
         /** 50 MB; what a browser draws as points. */
         const val MOST = 2_000_000
         private const val AXES = 3
+        private const val ROUNDING = 1e-12
         private const val ALIGNED = 4
         private const val BYTES_A_SPHERE = 6 * Float.SIZE_BYTES + 1
         private const val RARE = 1e-3

@@ -7,6 +7,7 @@ import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.ContactFaces
 import daphnis.core.boundary.ImageShear
+import daphnis.core.hill.HillSheet
 import daphnis.core.population.MeanFlow
 import daphnis.core.population.Population
 import kotlinx.serialization.json.Json
@@ -118,6 +119,25 @@ class StateBytesTest {
         // An orbit takes 4 π.
         assertEquals("t = 0.3183 orbits", seen.text("time"))
         assertEquals("r Ω", seen.head.getValue("units").jsonObject.getValue("speed").jsonPrimitive.content)
+    }
+
+    @Test
+    fun `of a sheet that breathes the box, the images and the flow are those of the time`() {
+        val perturbed = HillSheet(Box.centred(10.0, 8.0, 3.0), 0.5, perturbation = 0.5)
+        val p = population(20)
+        fun seen(time: Double) = State(p, perturbed, time).let { state ->
+            DecodedState(StateBytes(scale).of(state, SeenWalls(perturbed, null, time), 0))
+        }
+        assertEquals(2.5, seen(0.0).numbers("halves")[0], 1e-12)
+        assertEquals(7.5, seen(2 * Math.PI).numbers("halves")[0], 1e-12)
+        assertEquals("v_y = -0.5000 x (rate in 1/(unit of time))", seen(0.0).text("flow"))
+        val quarter = seen(Math.PI)
+        assertEquals(5.0, quarter.numbers("halves")[0], 1e-12)
+        assertEquals("v_x = 0.2500 x, v_y = -0.7500 x (rates in 1/(unit of time))", quarter.text("flow"))
+        for (k in 0 until 20) {
+            val w = hypot(hypot(p.vx[k] - 0.25 * p.x[k], p.vy[k] + 0.75 * p.x[k]), p.vz[k])
+            assertEquals(w, quarter.columns[4][k].toDouble(), 1e-5)
+        }
     }
 
     @Test

@@ -8,6 +8,7 @@ import daphnis.analysis.transport.ImpactTable
 import daphnis.analysis.transport.TransportTable
 import daphnis.analysis.wave.ModesTable
 import daphnis.core.boundary.BoundaryConditions
+import daphnis.core.boundary.at
 import daphnis.core.format.FormatException
 import daphnis.core.format.PackedFile
 import daphnis.core.format.Snapshot
@@ -107,7 +108,7 @@ public class AnalysisInput internal constructor(
      * state, so that bins and maps of one are those of another.
      */
     public fun boundary(k: Int): BoundaryConditions =
-        around(k).let { if (it.box.isFinite) it else bounded(it, lastPopulation) }
+        around(k).at(times[k]).let { if (it.box.isFinite) it else bounded(it, lastPopulation) }
 
     public companion object {
         /**
@@ -183,7 +184,7 @@ public class AnalysisInput internal constructor(
             val steps = steps(run)
             val times = DoubleArray(steps.size) {
                 val snapshot = run.readSnapshot(steps[it])
-                requireBox(around.boundary, snapshot, run)
+                requireBox(around.boundary.at(snapshot.time), snapshot, run)
                 snapshot.time
             }
             // Which laws and forces were at work, only the program knows.

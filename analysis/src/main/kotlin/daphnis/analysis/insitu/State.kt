@@ -2,8 +2,11 @@ package daphnis.analysis.insitu
 
 import daphnis.core.Simulation
 import daphnis.core.boundary.BoundaryConditions
+import daphnis.core.boundary.at
+import daphnis.core.boundary.isChanging
 import daphnis.core.orbit.OrbitalFrequencies
 import daphnis.core.population.Population
+import kotlin.math.PI
 
 /**
  * A state to be measured: a population as it stands, shared and not copied, in its boundary conditions. Of a live
@@ -15,11 +18,14 @@ import daphnis.core.population.Population
  */
 public class State @JvmOverloads constructor(
     public val population: Population,
-    public val boundary: BoundaryConditions,
+    boundary: BoundaryConditions,
     public val time: Double,
     public val frequencies: OrbitalFrequencies? = null,
     public val firstBody: Int = Int.MAX_VALUE,
 ) {
+    /** What it is at the [time]. */
+    public val boundary: BoundaryConditions = boundary.at(time)
+
     /** In Hill's frame of angular speed [omega] around a point mass. */
     @JvmOverloads
     public constructor(
@@ -39,6 +45,13 @@ public class State @JvmOverloads constructor(
     /** Area of the box in the x-y plane. */
     public val area: Double get() = boundary.box.length(0) * boundary.box.length(1)
 
+    /** The same over a period in which the box becomes wider and narrower. */
+    public val meanArea: Double get() {
+        val period = frequencies?.let { 2 * PI / it.kappa }
+        if (period == null || !boundary.isChanging) return area
+        return listOf(0.0, period / 2).map { boundary.at(it).box }.sumOf { it.length(0) * it.length(1) } / 2
+    }
+
     /** Whether the sphere at [index] is a particle and not a body. */
     public fun isParticle(index: Int): Boolean = firstBody == Int.MAX_VALUE || population.id[index] < firstBody
 
@@ -50,8 +63,9 @@ public class State @JvmOverloads constructor(
     public fun againstFlow(index: Int, axis: Int): Double {
         val v = population.velocity(axis)[index]
         val flow = boundary.meanFlow ?: return v
-        if (axis != flow.flowAxis) return v
-        return v - flow.rate * population.position(flow.normalAxis)[index]
+        val gradient = flow.gradient(axis)
+        if (gradient == 0.0) return v
+        return v - gradient * population.position(flow.normalAxis)[index]
     }
 
     public companion object {

@@ -97,8 +97,9 @@ private class ClusterMotion(
     private fun motion(i: Int, axis: Int): Double {
         val v = state.againstFlow(i, axis) - velocity[axis]
         val flow = state.boundary.meanFlow
-        if (isSpanning || flow == null || flow.flowAxis != axis) return v
-        return v + flow.rate * place(i, flow.normalAxis)
+        val gradient = flow?.gradient(axis) ?: 0.0
+        if (isSpanning || gradient == 0.0) return v
+        return v + gradient * place(i, flow!!.normalAxis)
     }
 
     fun cluster(): Cluster {

@@ -22,6 +22,12 @@ public class TransportTable private constructor(private val columns: Map<String,
         return TransportTable(columns.mapValues { it.value.copyOfRange(first, size) })
     }
 
+    /** The rows up to [time]. */
+    public fun until(time: Double): TransportTable {
+        val end = this[TransportColumns.TIME].count { it <= time }
+        return TransportTable(columns.mapValues { it.value.copyOfRange(0, end) })
+    }
+
     public companion object {
         /**
          * Reads [path]; a last line that is cut short, as of a run that goes on, is left out.

@@ -47,7 +47,7 @@ public interface BoundaryConditions : Kinematics {
     /**
      * The rate at which images come nearer, per unit of time: the image m boxes of length L away is displaced by m L (1
      * − rate · s), where s is the time since the start of the step. 0, except within a step of a boundary in which
-     * spheres grow; not with a [shear].
+     * spheres grow; not with a [shear], which has an approach of its own.
      */
     public val approach: Double get() = 0.0
 
@@ -69,6 +69,14 @@ public interface BoundaryConditions : Kinematics {
     public val volume: Double get() = box.volume
 
     /**
+     * What this boundary is while spheres drift on straight paths from [start] over [duration]: [box] and offsets are
+     * those at [start], images move by chords of their paths, and [endStep] puts spheres into the box at the end. With
+     * a duration of 0 it is what this boundary is at that time, with the velocities that images have then. Null
+     * where it is this one at all times; not where the box changes.
+     */
+    public fun during(start: Double, duration: Double): BoundaryConditions? = null
+
+    /**
      * Brings [population] back into the box at the end of a step that ended at [time]: may change positions and
      * velocities and may remove spheres, but not radii, masses, ids or the order of those that stay. The result for
      * each sphere must depend only on its own state and [time], so that the array order cannot matter. A step that
@@ -84,12 +92,25 @@ public interface BoundaryConditions : Kinematics {
     }
 }
 
+/** What this boundary is at [time], see [BoundaryConditions.during]. */
+public fun BoundaryConditions.at(time: Double): BoundaryConditions = during(time, 0.0) ?: this
+
+/** Whether the box changes with time. */
+public val BoundaryConditions.isChanging: Boolean get() = during(0.0, 0.0) != null
+
+/** The rate at which images across [axis] come nearer, see [BoundaryConditions.approach]. */
+internal fun BoundaryConditions.approachAlong(axis: Int): Double =
+    shear?.takeIf { it.normalAxis == axis }?.approach ?: approach
+
+/** Whether images come nearer along any axis. */
+internal val BoundaryConditions.imagesApproach: Boolean get() = approach != 0.0 || (shear?.approach ?: 0.0) != 0.0
+
 /** Takes over the images of [boundary] at [time], the start of a step. */
 public fun Images.prepare(boundary: BoundaryConditions, time: Double) {
     val box = boundary.box
     set({ if (boundary.hasImages(it)) box.length(it) else 0.0 }, boundary.approach)
-    val shear = boundary.shear ?: return slide(-1, -1, 0.0, 0.0)
-    slide(shear.normalAxis, shear.slideAxis, shear.offset(time), shear.velocity)
+    val shear = boundary.shear ?: return slide(-1, -1, 0.0, 0.0, 0.0)
+    slide(shear.normalAxis, shear.slideAxis, shear.offset(time), shear.velocity, shear.velocityAcross)
 }
 
 /** What a sphere which moves through a face can hit within the step, and where it is after the step. */

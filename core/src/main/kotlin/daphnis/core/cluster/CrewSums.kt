@@ -112,7 +112,7 @@ internal class NodeSums(
         val count = question.getInt()
         if (count != materials.materials.size) materials = byMaterial(count)
         fold.over(population, loop) { fold.central(means, central) }
-        materials.take(population, means.velocity, loop)
+        materials.take(population, means, loop)
         return MessageWriter().put(CentralMoments.MOST_BYTES, central::write)
             .put(materials.parts.mostBytes, materials.parts::write).message()
     }

@@ -59,6 +59,10 @@ internal class NodePlan(
         extent.requireComputable(whole.reach.largestRadius)
         if (steps++ < due) {
             findBodies(population)
+            if (!territory.cuts.areOf(boundary)) {
+                territory =
+                    Territory(territory.cuts.within(boundary), boundary, ++epoch)
+            }
             return
         }
         due = steps - 1 + interval

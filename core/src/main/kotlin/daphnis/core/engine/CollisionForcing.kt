@@ -1,6 +1,7 @@
 package daphnis.core.engine
 
 import daphnis.core.boundary.BoundaryConditions
+import daphnis.core.boundary.at
 import daphnis.core.collision.CollapseGuard
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.collision.CollisionLaw
@@ -157,8 +158,9 @@ public class CollisionForcing @JvmOverloads constructor(
         if (population.bonds !== Bonds.NONE && !Bonds.areSaid(population.bonds)) return
         if (pieces != null) population.bind(Bonds.column(population.size))
         val states = states ?: return
-        Reach().measure(population, boundary, SHORT)
-        states.bind(population, boundary, time)
+        val then = boundary.at(time)
+        Reach().measure(population, then, SHORT)
+        states.bind(population, then, time)
     }
 
     /** Requires that no sphere that has grown by mergers touches its own image. */

@@ -16,6 +16,9 @@ public interface ForceSpec {
     /** Whether it can keep spheres moving that lose their energy in collisions. */
     public val heats: Boolean get() = true
 
+    /** Whether it acts as well where the box changes with time and images with it. */
+    public val allowsChangingBox: Boolean get() = false
+
     /** Whether it is between all pairs of spheres, so that it does no work on them as a whole. */
     public val isAmongAll: Boolean get() = false
 

@@ -9,6 +9,7 @@ import kotlinx.serialization.Serializable
 @Serializable
 @SerialName("uniform-acceleration")
 public class UniformAccelerationSpec(override val acceleration: List<Double>) : ForceSpec {
+    override val allowsChangingBox: Boolean get() = true
     override val actsOnDiscs: Boolean get() = true
     override val heats: Boolean get() = false
 

@@ -1,6 +1,7 @@
 package daphnis.core.format
 
 import daphnis.core.boundary.BoundaryConditions
+import daphnis.core.boundary.at
 import daphnis.core.boundary.inside
 import kotlin.math.floor
 
@@ -44,12 +45,14 @@ internal class FoldedCell(
         }
 
         /** That of [boundary] at [time]. */
-        fun of(boundary: BoundaryConditions, time: Double): FoldedCell = FoldedCell(
-            DoubleArray(3) { boundary.box.length(it) },
-            BooleanArray(3) { boundary.repeats(it) },
-            boundary.shear?.offset(time) ?: 0.0,
-            boundary.shear?.normalAxis ?: 1,
-            boundary.shear?.slideAxis ?: 0,
-        )
+        fun of(boundary: BoundaryConditions, time: Double): FoldedCell = with(boundary.at(time)) {
+            FoldedCell(
+                DoubleArray(3) { box.length(it) },
+                BooleanArray(3) { repeats(it) },
+                shear?.offset(time) ?: 0.0,
+                shear?.normalAxis ?: 1,
+                shear?.slideAxis ?: 0,
+            )
+        }
     }
 }

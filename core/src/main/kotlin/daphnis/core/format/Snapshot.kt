@@ -1,6 +1,7 @@
 package daphnis.core.format
 
 import daphnis.core.boundary.BoundaryConditions
+import daphnis.core.boundary.at
 import daphnis.core.population.Bonds
 import daphnis.core.population.Population
 import daphnis.core.population.PopulationColumns
@@ -218,23 +219,24 @@ public class Snapshot internal constructor(
         ): Snapshot {
             val order = population.indicesById()
             val optional = population.optional
+            val now = boundary.at(time)
             return Snapshot(
                 step,
                 time,
-                DoubleArray(3) { axis -> boundary.box.length(axis).let { if (it.isFinite()) it else Double.NaN } },
-                BooleanArray(3) { boundary.repeats(it) },
-                boundary.shear?.offset(time) ?: 0.0,
+                DoubleArray(3) { axis -> now.box.length(axis).let { if (it.isFinite()) it else Double.NaN } },
+                BooleanArray(3) { now.repeats(it) },
+                now.shear?.offset(time) ?: 0.0,
                 IntArray(order.size) { population.id[order[it]] },
                 Array(SphereQuantity.EXPORTED_WIDTH) { place ->
                     val column = population.column(place)
                     if (column === SphereQuantity.NONE) column else DoubleArray(order.size) { column[order[it]] }
                 },
-                boundary.shear?.normalAxis ?: 1,
-                boundary.shear?.slideAxis ?: 0,
+                now.shear?.normalAxis ?: 1,
+                now.shear?.slideAxis ?: 0,
                 SphereQuantity.EXPORTED.filterTo(HashSet()) {
                     (hasMass || it != SphereQuantity.MASS) && it.isIn(optional)
                 },
-                image(population, boundary, time, order),
+                image(population, now, time, order),
                 materials = population.materials,
                 bound = if (population.bonds === Bonds.NONE) null else Bonds.partners(population, order),
             )

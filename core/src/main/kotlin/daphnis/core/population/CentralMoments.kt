@@ -11,8 +11,8 @@ import java.nio.ByteBuffer
 
 /**
  * Second moments of the particles of a population around given means, as exact sums: different threads or machines may
- * take parts of a population, in any order, and merge them. Velocities w are without the straight flow at the
- * boundary's rate and without the mean of the remainder. Allocates nothing once made.
+ * take parts of a population, in any order, and merge them. Velocities w are without the straight flow of the
+ * means and without the mean of the remainder. Allocates nothing once made.
  *
  * @param firstBody spheres with this id or a higher one are left out; [Int.MAX_VALUE] for none
  * @param carriesHeat whether [heat] is wanted
@@ -114,7 +114,7 @@ internal class CentralMoments(private val flow: MeanFlow?, firstBody: Int, carri
             val v = p.velocity(axis)
             val w = w[axis]
             val momentum = momentum[axis]
-            val rate = if (flow != null && axis == flow.flowAxis) flow.rate else 0.0
+            val rate = means.gradient[axis]
             val mean = means.velocity[axis]
             for (i in 0 until n) w[i] = v[index[i]] - rate * along[index[i]] - mean
             for (i in 0 until n) momentum[i] = m[i] * w[i]

@@ -15,12 +15,14 @@ import daphnis.core.space.Space
  */
 public class MaterialSums @JvmOverloads constructor(
     public val materials: List<String>,
-    private val flow: MeanFlow? = null,
+    flow: MeanFlow? = null,
     private val firstBody: Int = Int.MAX_VALUE,
     private val space: Space = Space.VOLUME,
 ) {
+    private val normalAxis = flow?.normalAxis ?: 0
     internal val parts = PartialSums(2 * materials.size) { from, to, into, _ -> add(from, to, into) }
     private val mean = DoubleArray(AXES)
+    private val gradient = DoubleArray(AXES)
     private var population: Population? = null
 
     /** Number of spheres of the material of [number]. */
@@ -43,11 +45,11 @@ public class MaterialSums @JvmOverloads constructor(
      */
     @JvmOverloads
     public fun take(population: Population, sums: PopulationSums, loop: RangeLoop = InlineLoop): Unit =
-        take(population, sums.mean, loop)
+        take(population, sums.means, loop)
 
-    /** @param mean velocity without the boundary's flow, weighted by mass */
-    internal fun take(population: Population, mean: DoubleArray, loop: RangeLoop) {
-        mean.copyInto(this.mean)
+    internal fun take(population: Population, means: Means, loop: RangeLoop) {
+        means.velocity.copyInto(mean)
+        means.gradient.copyInto(gradient)
         this.population = population
         try {
             parts.take(if (population.hasMaterials) population.size else 0, loop)
@@ -58,13 +60,12 @@ public class MaterialSums @JvmOverloads constructor(
 
     private fun add(from: Int, to: Int, into: Array<ExactSum>) {
         val p = population!!
-        val flowAxis = flow?.flowAxis ?: -1
         for (k in from until to) {
             if (p.id[k] >= firstBody) continue
             var square = 0.0
             for (axis in 0 until AXES) {
                 var c = p.velocity(axis)[k] - mean[axis]
-                if (axis == flowAxis) c -= flow!!.rate * p.position(flow.normalAxis)[k]
+                if (gradient[axis] != 0.0) c -= gradient[axis] * p.position(normalAxis)[k]
                 square += c * c
             }
             val number = p.material[k].toInt()

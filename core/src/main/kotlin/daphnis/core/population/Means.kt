@@ -10,6 +10,9 @@ internal class Means {
     /** Mean velocity without the straight flow of the boundary's rate. */
     val velocity = DoubleArray(3)
 
+    /** By how much the straight flow of the boundary along each axis changes across it. */
+    val gradient = DoubleArray(3)
+
     /** Number of slabs. */
     var slabCount = 1
         private set
@@ -28,7 +31,7 @@ internal class Means {
 
     /** Writes [BYTES] for [read]. */
     fun write(into: ByteBuffer) {
-        for (axis in 0..2) into.putDouble(position[axis]).putDouble(velocity[axis])
+        for (axis in 0..2) into.putDouble(position[axis]).putDouble(velocity[axis]).putDouble(gradient[axis])
         into.putInt(slabCount).putDouble(least).putDouble(perSlab)
     }
 
@@ -42,6 +45,7 @@ internal class Means {
         for (axis in 0..2) {
             position[axis] = from.getDouble()
             velocity[axis] = from.getDouble()
+            gradient[axis] = from.getDouble()
         }
         val slabs = from.getInt()
         require(slabs in 1..FlowFit.MOST_SLABS) { "means with $slabs slabs" }
@@ -51,6 +55,6 @@ internal class Means {
     }
 
     companion object {
-        const val BYTES = 8 * Double.SIZE_BYTES + Int.SIZE_BYTES
+        const val BYTES = 11 * Double.SIZE_BYTES + Int.SIZE_BYTES
     }
 }

@@ -22,7 +22,7 @@ import kotlin.math.sqrt
  * @property carriesHeat whether [heat] is summed too
  */
 public class PopulationSums @JvmOverloads constructor(
-    flow: MeanFlow?,
+    private var flow: MeanFlow?,
     internal val frequencies: OrbitalFrequencies? = null,
     internal val firstBody: Int = Int.MAX_VALUE,
     internal val space: Space = Space.VOLUME,
@@ -30,9 +30,8 @@ public class PopulationSums @JvmOverloads constructor(
 ) {
     private val flowAxis = flow?.flowAxis ?: -1
     private val normalAxis = flow?.normalAxis ?: 0
-    private val rate = flow?.rate ?: 0.0
     private val fit = FlowFit(flowAxis)
-    private val means = Means()
+    internal val means: Means = Means()
     private val first = FirstMoments(normalAxis, firstBody)
     private val central = CentralMoments(flow, firstBody, carriesHeat)
     private val whole = PopulationFold(flow, firstBody, carriesHeat)
@@ -95,6 +94,14 @@ public class PopulationSums @JvmOverloads constructor(
     public var guidingX: Double = 0.0
         private set
 
+    /** From now on the boundary drives [flow], along the same axes as before. */
+    internal fun drive(flow: MeanFlow?) {
+        require(flow?.flowAxis == this.flow?.flowAxis && flow?.normalAxis == this.flow?.normalAxis) {
+            "the flow is along another axis than before"
+        }
+        this.flow = flow
+    }
+
     /** Takes the sums of the present state of [population] on the threads of [loop]. All are 0 for an empty one. */
     @JvmOverloads
     public fun take(population: Population, loop: RangeLoop = InlineLoop) {
@@ -120,7 +127,11 @@ public class PopulationSums @JvmOverloads constructor(
             means.position[axis] = sums.position(axis) * over
             mean[axis] = sums.particleMomentum(axis) * over
         }
-        if (flowAxis >= 0) mean[flowAxis] -= rate * means.position[normalAxis]
+        for (axis in 0..2) {
+            val gradient = flow?.gradient(axis) ?: 0.0
+            means.gradient[axis] = gradient
+            if (gradient != 0.0) mean[axis] -= gradient * means.position[normalAxis]
+        }
         mean.copyInto(means.velocity)
         means.setSlabs(sums.count, sums.least, sums.greatest)
         centreZ = means.position[2]

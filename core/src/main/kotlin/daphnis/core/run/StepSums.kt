@@ -2,6 +2,8 @@ package daphnis.core.run
 
 import daphnis.core.CommonNumber
 import daphnis.core.Simulation
+import daphnis.core.boundary.at
+import daphnis.core.boundary.isChanging
 import daphnis.core.force.EnergySums
 import daphnis.core.force.Force
 import daphnis.core.orbit.OrbitalFrequencies
@@ -95,6 +97,8 @@ internal class StepSums(
         val energies = energiesIn(simulation)
         takenAt = -1
         modesTakenAt = -1
+        val boundary = simulation.boundary
+        if (boundary.isChanging) sums.drive(boundary.at(simulation.time).meanFlow)
         val isElsewhere = simulation.sumElsewhere { parts ->
             sums.take(parts)
             energies.clear()

@@ -80,6 +80,6 @@ internal class Bodies(
     /** The given velocities, otherwise those of the mean flow. */
     fun velocity(axis: Int, flow: MeanFlow?): DoubleArray = DoubleArray(specs.size) {
         specs[it].velocity?.get(axis)
-            ?: if (flow != null && flow.flowAxis == axis) flow.rate * specs[it].position[flow.normalAxis] else 0.0
+            ?: flow?.gradient(axis)?.takeIf { it != 0.0 }?.let { by -> by * specs[it].position[flow.normalAxis] } ?: 0.0
     }
 }

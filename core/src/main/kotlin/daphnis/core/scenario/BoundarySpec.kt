@@ -27,6 +27,9 @@ public sealed interface BoundarySpec {
     /** Whether it is the shearing sheet of Hill's frame, without ends. */
     public val isSheet: Boolean get() = false
 
+    /** The part of its length along x by which the box becomes narrower at times. */
+    public val narrowing: Double get() = 0.0
+
     /** Whether the box is only where spheres are put. */
     public val isOpen: Boolean get() = false
 
@@ -235,10 +238,18 @@ public sealed interface BoundarySpec {
         override fun toString(): String = "lees-edwards"
     }
 
-    /** The shearing sheet of Hill's frame, or with [radiallyOpen] a ringlet that repeats along the orbit only. */
+    /**
+     * The shearing sheet of Hill's frame, or with [radiallyOpen] a ringlet that repeats along the orbit only.
+     *
+     * @property perturbation q in [0, 1) of a sheet whose images breathe
+     */
     @Serializable
     @SerialName("hill-sheet")
-    public class HillSheet @JvmOverloads constructor(public val radiallyOpen: Boolean = false) : BoundarySpec {
+    public class HillSheet @JvmOverloads constructor(
+        public val radiallyOpen: Boolean = false,
+        public val perturbation: Double = 0.0,
+    ) : BoundarySpec {
+        override val narrowing: Double get() = perturbation
         override val isSheet: Boolean get() = !radiallyOpen
         override val drives: Boolean get() = true
 
@@ -249,13 +260,31 @@ public sealed interface BoundarySpec {
             seed: Long,
         ): BoundaryConditions {
             val around = orbits ?: check.fail("boundary", "is a hill-sheet; it needs a frame of type hill")
-            return daphnis.core.hill.HillSheet(box, around, radiallyOpen)
+            check.that(PERTURBATION, perturbation, perturbation >= 0 && perturbation < 1) {
+                "must be at least 0 and less than 1; streamlines cross at 1"
+            }
+            check.must(PERTURBATION, perturbation == 0.0 || !radiallyOpen) {
+                "is $perturbation; a ringlet (boundary.radiallyOpen) has no images along x that could breathe"
+            }
+            return daphnis.core.hill.HillSheet(box, around, radiallyOpen, perturbation)
         }
 
-        override fun inWords(number: DoubleFunction<String>, speed: DoubleFunction<String>): String =
-            if (radiallyOpen) "ringlet, repeats along y" else "shearing sheet, repeats along x and y"
+        override fun inWords(number: DoubleFunction<String>, speed: DoubleFunction<String>): String = when {
+            radiallyOpen -> "ringlet, repeats along y"
+            perturbation == 0.0 -> "shearing sheet, repeats along x and y"
+            else ->
+                "perturbed shearing sheet, repeats along x and y; q = ${number.apply(
+                    perturbation,
+                )}: once in a radial " +
+                    "period it narrows to ${number.apply(1 - perturbation)} and widens to " +
+                    "${number.apply(1 + perturbation)} of its length along x, and is narrowest at time 0"
+        }
 
         override fun toString(): String = "hill-sheet"
+
+        private companion object {
+            const val PERTURBATION = "boundary.perturbation"
+        }
     }
 
     public companion object {

@@ -2,6 +2,7 @@ package daphnis.core.scenario
 
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.ContactFaces
+import daphnis.core.boundary.at
 import daphnis.core.format.Snapshot
 import kotlin.math.abs
 
@@ -23,7 +24,15 @@ public class BoxDifference private constructor(public val key: String, public va
          * @param file what to call the file
          */
         @JvmStatic
-        public fun of(boundary: BoundaryConditions, snapshot: Snapshot, time: Double, file: String): BoxDifference? {
+        public fun of(boundary: BoundaryConditions, snapshot: Snapshot, time: Double, file: String): BoxDifference? =
+            ofBoxes(boundary.at(time), snapshot, time, file)
+
+        private fun ofBoxes(
+            boundary: BoundaryConditions,
+            snapshot: Snapshot,
+            time: Double,
+            file: String,
+        ): BoxDifference? {
             for (axis in 0..2) {
                 val there = snapshot.lengths[axis]
                 val here = boundary.box.length(axis)

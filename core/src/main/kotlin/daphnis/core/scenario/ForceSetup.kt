@@ -1,6 +1,7 @@
 package daphnis.core.scenario
 
 import daphnis.core.boundary.BoundaryConditions
+import daphnis.core.boundary.isChanging
 import daphnis.core.force.BodyGravitySpec
 import daphnis.core.force.Force
 import daphnis.core.force.ForcePlace
@@ -64,6 +65,10 @@ internal class ForceSetup(
             val place = place(k).also { places += it }
             check.must(place.key, !scenario.space.isPlane || spec.actsOnDiscs) {
                 "is a force in three dimensions; discs, with dimensions 2, know a uniform-acceleration and thermostats"
+            }
+            check.must(place.key, spec.allowsChangingBox || !around.isChanging) {
+                "acts where images keep their distance; with boundary.perturbation > 0 there can be no force but the " +
+                    "frame's and a uniform-acceleration"
             }
             spec.force(place).also { boundary = spec.boundary(place, it) }
         }

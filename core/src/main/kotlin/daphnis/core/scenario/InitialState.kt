@@ -2,6 +2,7 @@ package daphnis.core.scenario
 
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
+import daphnis.core.boundary.isChanging
 import daphnis.core.boundary.roomAt
 import daphnis.core.boundary.roomIn
 import daphnis.core.format.Snapshot
@@ -15,6 +16,7 @@ import daphnis.core.wall.RoomSide
  * Makes the population from which a scenario starts. Sizes, places and velocities are drawn from separate streams, so
  * that changing one does not change the others.
  *
+ * @param boundary what it is at the start
  * @param start the state to start from, in place of the placement's file
  */
 internal class InitialState(
@@ -25,8 +27,15 @@ internal class InitialState(
     private val materials: Materials,
     private val start: Snapshot? = null,
 ) {
-    /** Where spheres can be at the start: walls that move may not be at the faces of the box then. */
-    private val room = if (boundary.walls.any { it.motion != null }) roomAtStart() else box
+    /**
+     * Where spheres can be at the start: walls that move may not be at the faces of the box then, and a box that changes
+     * is not what it is on average.
+     */
+    private val room = when {
+        boundary.walls.any { it.motion != null } -> roomAtStart()
+        boundary.isChanging -> boundary.box
+        else -> box
+    }
 
     private fun roomAtStart(): Box = try {
         boundary.roomAt(scenario.startTime)
@@ -51,6 +60,9 @@ internal class InitialState(
         val areProportions = placement.pressure != null
         val drawn = DrawnRadii(spec, kinds, box, check, areProportions, boundary.roomIn(box)) { stream(SIZES) }.draw()
         var radii = drawn.radii
+        check.must("bodies[0]", scenario.bodies.isEmpty() || !boundary.isChanging) {
+            "is a body; with boundary.perturbation > 0 there can be none, as a body would meet its images as they breathe"
+        }
         val bodies = Bodies(scenario.bodies, spec, box.space, check).apply { checkRoom(boundary) }
         val placed = try {
             checkRadii(radii)

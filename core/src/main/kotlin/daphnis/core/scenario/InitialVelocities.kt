@@ -103,7 +103,9 @@ internal class InitialVelocities(
     private fun addFlow(v: Array<DoubleArray>, positions: Positions) {
         val flow = boundary.meanFlow ?: return
         val across = arrayOf(positions.x, positions.y, positions.z)[flow.normalAxis]
-        val along = v[flow.flowAxis]
-        for (k in along.indices) along[k] += flow.rate * across[k]
+        for (axis in 0..2) {
+            val gradient = flow.gradient(axis)
+            if (gradient != 0.0) for (k in across.indices) v[axis][k] += gradient * across[k]
+        }
     }
 }

@@ -6,6 +6,7 @@ import daphnis.core.StoppingTimeStep
 import daphnis.core.Stops
 import daphnis.core.TimeStep
 import daphnis.core.boundary.BoundaryConditions
+import daphnis.core.boundary.at
 import daphnis.core.collision.CollapseGuard
 import daphnis.core.collision.GuardSpec
 import daphnis.core.collision.PairStates
@@ -167,7 +168,8 @@ public class ScenarioSetup private constructor(
             FreePath.check(scenario, around.boundary, check)
             val materials = Materials(scenario, check, state?.materials.orEmpty())
             val laws = ContactLaws(scenario, materials, check)
-            val initial = InitialState(scenario, around.box, around.boundary, check, materials, start)
+            val atStart = around.boundary.at(scenario.startTime)
+            val initial = InitialState(scenario, around.box, atStart, check, materials, start)
             val population = state ?: initial.population(isPlaced)
             // The ids of bodies in a run of this file do not hold for a new initial state, unless it is of that run.
             val isMade = state == null && scenario.placement.file == null
@@ -184,12 +186,13 @@ public class ScenarioSetup private constructor(
             val first = timeStep.next(population)
             checkSteps(resolved, first, check)
             if (state == null) GrowthSetup(scenario, check).checkStart(population, around.box, first, around.end)
+            val then = boundary.at(scenario.startTime)
             val startCheck =
-                StartCheck(scenario, population, boundary, forceSetup.places, check, around.end, laws.interactions)
+                StartCheck(scenario, population, then, forceSetup.places, check, around.end, laws.interactions)
             if (state == null) startCheck.check(timeStep, isPlaced) else startCheck.checkRooms()
             if (state == null && (isPlaced || timeStep is FixedTimeStep)) {
                 val likeThem = forces().forces
-                FirstKick(scenario, likeThem, boundary, check).check(population, timeStep.next(population), isPlaced)
+                FirstKick(scenario, likeThem, then, check).check(population, timeStep.next(population), isPlaced)
             }
             val guard = guardSpec.guard(check)
             return ScenarioSetup(

@@ -5,6 +5,7 @@ import daphnis.core.TimeStep
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.ContactFaces
 import daphnis.core.boundary.ShearedPeriodic
+import daphnis.core.boundary.isChanging
 import daphnis.core.boundary.prepare
 import daphnis.core.boundary.roomAt
 import daphnis.core.force.ForcePlace
@@ -18,7 +19,7 @@ import kotlin.math.abs
 import kotlin.math.sqrt
 
 /**
- * Checks that a population can start in its box: all spheres are inside, the box is wide enough for its images, and no
+ * Checks that a population can start in its box, with its [boundary] as it is then: all spheres are inside, the box is wide enough for its images, and no
  * spheres overlap.
  */
 internal class StartCheck(
@@ -43,11 +44,12 @@ internal class StartCheck(
             val key = "box.lengths[$axis]"
             when (boundary.contactFaces(axis)) {
                 ContactFaces.PERIODIC -> {
-                    check.that(key, length, length > 2 * largest) {
-                        "must exceed the diameter of the largest sphere, ${2 * largest}, " +
+                    val least = leastLength(axis, length)
+                    check.that(key, scenario.box.lengths[axis], least > 2 * largest) {
+                        "${narrowed(axis, least)}must exceed the diameter of the largest sphere, ${2 * largest}, " +
                             "or it would touch its own image"
                     }
-                    checkReach(key, length, largest)
+                    checkReach(key, least, largest)
                     if (isKnown) checkCrossings(axis, largest, timeStep)
                 }
                 ContactFaces.WALL -> {
@@ -105,6 +107,13 @@ internal class StartCheck(
     } catch (e: IllegalArgumentException) {
         check.fail(key, e.message.orEmpty())
     }
+
+    /** The least length along [axis] of a box that is [now] so long. */
+    private fun leastLength(axis: Int, now: Double): Double =
+        if (axis == 0 && boundary.isChanging) scenario.box.lengths[0] * (1 - scenario.boundary.narrowing) else now
+
+    private fun narrowed(axis: Int, least: Double) =
+        if (axis == 0 && boundary.isChanging) "of a box that narrows to $least " else ""
 
     private fun checkSurfaces() {
         for ((n, surface) in boundary.walls.surfaces.withIndex()) {

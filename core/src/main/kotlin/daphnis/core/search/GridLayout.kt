@@ -122,8 +122,9 @@ internal class GridLayout : CellAxes() {
         val axis = axes[k]
         isPeriodic[k] = boundary.hasImages(axis)
         margin[k] = (largest + reach) * (1 + SLACK) + ImageRange.rounding(low[k], low[k] + length[k])
-        if (isPeriodic[k] && images.approach != 0.0) {
-            margin[k] = ImageRange.marginWithApproach(margin[k], length[k], images.approach * duration)
+        val approach = images.approachAlong(axis)
+        if (isPeriodic[k] && approach != 0.0) {
+            margin[k] = ImageRange.marginWithApproach(margin[k], length[k], approach * duration)
         }
         ownMargin[k] = margin[k] - reach
         // The largest distance that a pair can bridge.

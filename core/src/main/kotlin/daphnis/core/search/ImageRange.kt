@@ -1,6 +1,7 @@
 package daphnis.core.search
 
 import daphnis.core.boundary.BoundaryConditions
+import daphnis.core.boundary.approachAlong
 import daphnis.core.space.Images
 import kotlin.math.abs
 
@@ -42,7 +43,7 @@ internal object ImageRange {
         if (!boundary.hasImages(axis)) return Double.POSITIVE_INFINITY
         val box = boundary.box
         val range = box.length(axis) * boxes(boundary, axis, duration) / 2
-        val approached = abs(boundary.approach) * duration
+        val approached = abs(boundary.approachAlong(axis)) * duration
         val margin = range * (1 - 2 * approached) - box.length(axis) * approached
         return (margin - rounding(box.lower(axis), box.upper(axis))) * (1 - 2 * SLACK) - largest
     }

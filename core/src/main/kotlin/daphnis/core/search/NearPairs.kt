@@ -1,6 +1,7 @@
 package daphnis.core.search
 
 import daphnis.core.boundary.BoundaryConditions
+import daphnis.core.boundary.at
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeLoop
 import daphnis.core.population.Population
@@ -22,14 +23,14 @@ public class NearPairs @JvmOverloads constructor(
     internal constructor(population: Population, boundary: BoundaryConditions, time: Double, reach: Double) :
         this(population, boundary, time) {
         val swollen = SwollenSpheres().take(population, reach * WIDER)
-        grid.build(swollen, boundary, time, 0.0, DoubleArray(AXES))
+        grid.build(swollen, boundary.at(time), time, 0.0, DoubleArray(AXES))
     }
 
     @PublishedApi
     internal val grid: Grid = Grid()
 
     init {
-        grid.build(population, boundary, time, 0.0, DoubleArray(AXES), loop, structure)
+        grid.build(population, boundary.at(time), time, 0.0, DoubleArray(AXES), loop, structure)
     }
 
     /** The runs for one thread. */

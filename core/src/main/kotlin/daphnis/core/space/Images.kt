@@ -4,7 +4,7 @@ package daphnis.core.space
  * Periodic images as small integers. A code packs how many boxes away an image is along x, y and z, one signed byte
  * each, so 0 is the sphere itself. In a step that starts at time `t₀`, the image of a sphere is displaced by
  * `shift(code) + s·slide(code)`, where s is the time since the start of the step. It moves with `slide(code)` relative
- * to its original: along the faces of a sheared box, or towards it where spheres grow.
+ * to its original: along the faces of a sheared box, towards it where spheres grow, and both in a perturbed sheet.
  *
  * Negating a code negates every one of these numbers exactly, so a pair has the same contact time from either side.
  * [daphnis.core.boundary.prepare] takes over those of a boundary.
@@ -20,6 +20,7 @@ public class Images {
     public var slideAxis: Int = -1
         private set
     private var velocity = 0.0
+    private var velocityAcross = 0.0
 
     /** See [daphnis.core.boundary.BoundaryConditions.approach]. */
     public var approach: Double = 0.0
@@ -35,13 +36,21 @@ public class Images {
         this.approach = approach
     }
 
-    /** From now on images across [normalAxis] are displaced by [offset] along [slideAxis], and slide with [velocity]. */
-    internal fun slide(normalAxis: Int, slideAxis: Int, offset: Double, velocity: Double) {
+    /**
+     * From now on images across [normalAxis] are displaced by [offset] along [slideAxis], slide with [velocity] and
+     * move away with [velocityAcross].
+     */
+    internal fun slide(normalAxis: Int, slideAxis: Int, offset: Double, velocity: Double, velocityAcross: Double) {
         this.normalAxis = normalAxis
         this.slideAxis = slideAxis
         this.offset = offset
         this.velocity = velocity
+        this.velocityAcross = velocityAcross
     }
+
+    /** The rate at which images come nearer along [axis]. */
+    internal fun approachAlong(axis: Int): Double =
+        if (axis == normalAxis && velocityAcross != 0.0) -velocityAcross / length[axis] else approach
 
     /** Distance of consecutive images along [axis]; 0 when there are none. */
     public fun period(axis: Int): Double = length[axis]
@@ -56,6 +65,8 @@ public class Images {
     /** Velocity along [axis] relative to the original. */
     public fun slide(code: Int, axis: Int): Double = if (code != 0 && axis == slideAxis) {
         component(code, normalAxis) * velocity
+    } else if (code != 0 && axis == normalAxis && velocityAcross != 0.0) {
+        component(code, normalAxis) * velocityAcross
     } else if (code != 0 && approach != 0.0) {
         -(component(code, axis) * length[axis] * approach)
     } else {

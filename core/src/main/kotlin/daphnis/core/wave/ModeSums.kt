@@ -1,6 +1,7 @@
 package daphnis.core.wave
 
 import daphnis.core.boundary.BoundaryConditions
+import daphnis.core.boundary.isChanging
 import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.RangeBody
 import daphnis.core.parallel.RangeLoop
@@ -222,6 +223,7 @@ public class ModeSums @JvmOverloads constructor(
         /** Why there are no modes in [boundary], as a sentence without its subject; null when there are. */
         internal fun problem(boundary: BoundaryConditions): String? {
             val axis = axisOf(boundary)
+            if (boundary.isChanging) return "needs a box that stays as long as it is; set boundary.perturbation to 0"
             if (boundary.repeats(axis)) return null
             return "needs a box that repeats along ${"xyz"[axis]}, along which the modes are"
         }

@@ -1,13 +1,18 @@
 package daphnis.core.cluster
 
+import daphnis.core.FixedTimeStep
+import daphnis.core.Simulation
+import daphnis.core.Sphere
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.Periodic
+import daphnis.core.boundary.at
 import daphnis.core.cluster.bricks.BrickAhead
 import daphnis.core.cluster.bricks.HaloMargins
 import daphnis.core.cluster.bricks.LongBox
 import daphnis.core.compression.GrowingSpheres
 import daphnis.core.engine.Case
 import daphnis.core.engine.CollisionEngine
+import daphnis.core.engine.CollisionForcing
 import daphnis.core.engine.Draw
 import daphnis.core.engine.Draws
 import daphnis.core.engine.OddDraw
@@ -15,8 +20,10 @@ import daphnis.core.engine.SerialEngine
 import daphnis.core.engine.assertSameStep
 import daphnis.core.engine.failure
 import daphnis.core.engine.horizon.HorizonTuning
+import daphnis.core.hill.HillFrame
 import daphnis.core.hill.HillSheet
 import daphnis.core.population.stateDigest
+import daphnis.core.populationOf
 import daphnis.core.randomSpheres
 import daphnis.core.simulationOf
 import daphnis.core.surface.ConstantRestitution
@@ -93,6 +100,28 @@ class NodeEngineTest {
     }
 
     @Test
+    fun `a box that narrows and widens under its cuts changes no bit`() {
+        val boundary = HillSheet(Box.centred(12.0, 20.0, 6.0), 0.2, perturbation = 0.6)
+        val start = randomSpheres(300, boundary.at(0.0), 4, 0.5) { 0.3 }
+        fun sheet(engine: CollisionEngine) = Simulation(
+            start.copy(),
+            boundary,
+            CollisionForcing(ConstantRestitution(0.7), engine = engine, recordCollisions = true),
+            FixedTimeStep(0.4),
+            listOf(HillFrame(0.2)),
+        )
+        val serial = sheet(SerialEngine())
+        sheet(NodesTogether(Random(1), intArrayOf(1, 2, 1))).use { nodes ->
+            for (step in 1..80) {
+                serial.advance()
+                nodes.advance()
+                assertSameStep(serial, nodes, "step $step")
+            }
+        }
+        assertTrue(serial.collisions!!.counters.collisions > 1000)
+    }
+
+    @Test
     fun `a full slide of the sheet under its cuts changes no bit`() {
         val boundary = HillSheet(Box.centred(12.0, 20.0, 6.0), 0.2)
         val start = randomSpheres(500, boundary, 4, 0.5) { 0.4 }
@@ -106,6 +135,61 @@ class NodeEngineTest {
             }
         }
         assertTrue(serial.collisions!!.counters.collisions > 1000)
+    }
+
+    @Test
+    fun `spheres that rest in a box that narrows meet across cuts that move with it`() {
+        var collisions = 0L
+        for (seed in 1..40L) {
+            val sheet = HillSheet(Box.centred(40.0, 3.0, 3.0), 0.1, perturbation = 0.8)
+            val from = 42.0
+            val start = randomSpheres(40, Periodic(sheet.at(from).box), seed, 0.01) { 0.3 }
+            fun narrowing(engine: CollisionEngine) = Simulation(
+                start.copy(),
+                sheet,
+                CollisionForcing(ConstantRestitution(1.0), engine = engine, recordCollisions = true),
+                FixedTimeStep(0.7),
+                startTime = from,
+                startStep = 1,
+            )
+            val serial = narrowing(SerialEngine())
+            narrowing(NodesTogether(Random(seed), intArrayOf(8, 8)) { HaloMargins(0.0, 0.0) }).use { nodes ->
+                for (step in 1..6) {
+                    serial.advance()
+                    nodes.advance()
+                    assertSameStep(serial, nodes, "seed $seed, step $step")
+                }
+            }
+            collisions += serial.collisions!!.counters.collisions
+        }
+        assertTrue(collisions > 60) { "only $collisions" }
+    }
+
+    @Test
+    fun `two spheres at rest that meet only steps after space was cut meet across the cuts`() {
+        val sheet = HillSheet(Box.centred(40.0, 3.0, 3.0), 0.1, perturbation = 0.8)
+        var collisions = 0L
+        for (k in 0..20) {
+            val x = 20.0 + 0.3 * k
+            fun narrowing(engine: CollisionEngine) = Simulation(
+                populationOf(Sphere(x = -x, r = 0.3), Sphere(x = x, y = 0.1, r = 0.3)),
+                sheet,
+                CollisionForcing(ConstantRestitution(1.0), engine = engine, recordCollisions = true),
+                FixedTimeStep(0.7),
+                startTime = 42.0,
+                startStep = 1,
+            )
+            val serial = narrowing(SerialEngine())
+            narrowing(NodesTogether(Random(1), intArrayOf(2, 2)) { HaloMargins(0.0, 0.0) }).use { nodes ->
+                for (step in 1..6) {
+                    serial.advance()
+                    nodes.advance()
+                    assertSameStep(serial, nodes, "from $x, step $step")
+                }
+            }
+            collisions += serial.collisions!!.counters.collisions
+        }
+        assertTrue(collisions > 2) { "only $collisions" }
     }
 
     @Test

@@ -227,6 +227,6 @@ class NodeRowsTest {
 
     private companion object {
         val EVERY_ROW = listOf("output.seriesEvery=1", "output.transportEvery=1")
-        const val MEANS = 1 + 8 * Double.SIZE_BYTES + 2 * Int.SIZE_BYTES
+        const val MEANS = 1 + 11 * Double.SIZE_BYTES + 2 * Int.SIZE_BYTES
     }
 }

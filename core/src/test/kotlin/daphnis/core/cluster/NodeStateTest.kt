@@ -94,7 +94,7 @@ class NodeStateTest {
         val few = run(RowCase.REMOVED, "serial", Engines, settings)
         end(few, 4)
         val serial = Run.resume(home.resolve("serial"), engines = Engines)
-        assertTrue(serial.simulation.population.idsByPlace.ranked != null) { "ids are dense" }
+        assertTrue(serial.simulation.population.idPlaces.ranked != null) { "ids are dense" }
         val expected = serial.stateAfter(4)
         val nodes = Run.resume(home.resolve("serial"), engines = engines(ThreadFleet(3) { 2 }))
         assertEquals(expected, nodes.stateAfter(4))

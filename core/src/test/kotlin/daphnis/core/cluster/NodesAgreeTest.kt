@@ -55,6 +55,10 @@ class NodesAgreeTest {
     fun `a ring patch in Hill's frame`() = assertSame("ring-patch", 3, "untilOrbits=0.2")
 
     @Test
+    fun `a perturbed sheet, under whose images the cuts move`() =
+        assertSame("perturbed-ring", 3, "untilOrbits=0.6", "boundary.perturbation=0.7")
+
+    @Test
     fun `radial self-gravity, whose waves all nodes make together`() = assertSame(
         "ring-patch",
         3,

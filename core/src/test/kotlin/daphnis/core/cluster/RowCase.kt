@@ -22,6 +22,14 @@ enum class RowCase(text: String, internal val check: (List<List<String>>) -> Uni
         "velocities": {"type": "gaussian", "sigma": 0.0004, "shearProfile": true}, $RING_STEPS""",
         { rows -> assertTrue(rows.column("hill_energy").all { it.toDouble().isFinite() }) },
     ),
+    PERTURBED(
+        RING_UNITS + """"box": {"lengths": [90, 80, 12]}, "boundary": {"type": "hill-sheet", "perturbation": 0.4},
+        "particles": {"opticalDepth": 0.2, "materials": [
+        {"name": "ice", "share": 1, "density": 900, "sizes": {"type": "equal", "radius": 1.4826}}]},
+        "roughness": {"type": "constant", "coefficient": 0.5},
+        "velocities": {"type": "gaussian", "sigma": 0.0004, "shearProfile": true}, $RING_STEPS""",
+        { rows -> assertTrue(rows.column("temperature_ice").distinct().size > 3) },
+    ),
     WALLS(
         """"until": 0.5, "box": {"lengths": [9, 9, 9]}, "boundary": {"type": "walls"},
         "forces": [{"type": "uniform-acceleration", "acceleration": [0.3, 0, -2]}],

@@ -105,7 +105,9 @@ class BruteForceEngine : CollisionEngine {
                 fastest = maxOf(fastest, abs(p.vx[k]), maxOf(abs(p.vy[k]), abs(p.vz[k])))
                 largest = maxOf(largest, p.radius[k])
             }
-            val range = 2 * largest + 4 * fastest * dt
+            val across = boundary.shear?.takeIf { it.normalAxis == axis }?.velocityAcross ?: 0.0
+            val nearer = minOf(0.9, abs(across) * dt / boundary.box.length(axis))
+            val range = (2 * largest + 4 * fastest * dt) / (1 - nearer)
             val length = boundary.box.length(axis)
             val shear = boundary.shear
             val slides = shear != null && shear.slideAxis == axis

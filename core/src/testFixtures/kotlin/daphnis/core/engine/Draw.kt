@@ -128,9 +128,24 @@ class Draw(override val seed: Long) : Case {
         3 -> walls(1.0, booleanArrayOf(false, true, false))
         4 -> ShearedPeriodic(box, random.nextDouble(-1.0, 1.0))
         5, 6 -> LeesEdwards(box, random.nextDouble(-0.3, 0.3))
-        7, 8 -> HillSheet(box, orbits, radiallyOpen = random.nextInt(4) == 0)
+        7, 8 -> sheet(radiallyOpen = random.nextInt(4) == 0)
         else -> Periodic(box)
     }
+
+    /** In some sheets the images breathe. They are as far apart at the start as the [box] is long. */
+    private fun sheet(radiallyOpen: Boolean): HillSheet {
+        if (radiallyOpen || seed % 2 == 0L) return HillSheet(box, orbits, radiallyOpen)
+        val q = 0.1 + 0.2 * (seed % 5)
+        val by = 1 - q * StrictMath.cos(orbits.kappa * phaseTime)
+        val mean =
+            Box(box.lowerX / by, box.lowerY, box.lowerZ, box.upperX / by, box.upperY, box.upperZ)
+        return HillSheet(mean, orbits, false, q)
+    }
+
+    private val isPerturbed: Boolean get() = (boundary as? HillSheet)?.let { it.perturbation > 0 } == true
+
+    /** When a perturbed sheet begins: whatever it is narrowing or widening. */
+    private val phaseTime: Double get() = seed % 7 * 0.9 / orbits.kappa
 
     private fun walls(restitution: Double, walled: BooleanArray): Walls {
         val faces = driven.faces(surface.walls, walled)
@@ -209,6 +224,7 @@ class Draw(override val seed: Long) : Case {
         ),
         FixedTimeStep(dt),
         forces(),
+        startTime = if (isPerturbed) phaseTime else 0.0,
     )
 
     /**
@@ -220,7 +236,7 @@ class Draw(override val seed: Long) : Case {
         if (dt * omega > 1) return emptyList()
         val moon = Satellite(omega * omega * 10, Epicycle(2 * box.upperX, 0.0, 0.5, 1.0), orbits, softening = 0.5)
         val frame = HillFrame(orbits)
-        return if (seed % 3 == 0L) {
+        return if (seed % 3 == 0L && !isPerturbed) {
             listOf(frame, moon, SelfGravity(boundary, omega * omega / 50))
         } else {
             listOf(moon, frame)
@@ -238,7 +254,7 @@ class Draw(override val seed: Long) : Case {
 
     override fun toString() =
         "seed $seed: ${population.size} spheres, filling $filling${if (clumped) ", clumped" else ""}, " +
-            "${around().javaClass.simpleName}${boundary.walls.surfaces.map {
+            "${around().javaClass.simpleName}${if (isPerturbed) ", perturbed" else ""}${boundary.walls.surfaces.map {
                 ", $it"
             }.joinToString(
                 "",

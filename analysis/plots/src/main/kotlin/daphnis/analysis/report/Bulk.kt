@@ -9,7 +9,8 @@ internal class Bulk(state: State, input: AnalysisInput) {
     private val population = state.population
     private val indices = (0 until population.size).filter { state.isParticle(it) }
     private val space = state.boundary.space
-    private val volume = state.boundary.volume
+    private val area = state.meanArea
+    private val volume = state.boundary.volume * (area / state.area)
 
     val particles: Int = indices.size
 
@@ -26,8 +27,8 @@ internal class Bulk(state: State, input: AnalysisInput) {
     /** Diameter of the smallest, 0 without particles. */
     val nearestContact: Double = indices.minOfOrNull { 2 * population.radius[it] } ?: 0.0
 
-    val opticalDepth: Double = indices.sumOf { PI * population.radius[it] * population.radius[it] } / state.area
-    val surfaceDensity: Double = indices.sumOf { population.mass[it] } / state.area
+    val opticalDepth: Double = indices.sumOf { PI * population.radius[it] * population.radius[it] } / area
+    val surfaceDensity: Double = indices.sumOf { population.mass[it] } / area
 
     /** Of discs the area fraction. */
     val fillingFactor: Double = indices.sumOf { space.volume(population.radius[it]) } / volume

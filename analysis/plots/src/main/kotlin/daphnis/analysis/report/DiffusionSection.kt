@@ -37,6 +37,7 @@ internal class DiffusionSection(private val study: Study) : Section {
         "${ReportText.count(chosen.size, "state")} from time ${study.time(study.from)} on." +
         study.judgement.bars(" $ASSUMED").takeIf { it == " $ASSUMED" }.orEmpty()
     override val leftOut get() = when {
+        PerturbedSheet.isSeen(study.last) -> "in a perturbed sheet images come nearer and move away"
         study.isGrowing -> "spheres grow, so no time of the run is like another"
         (0..2).none { last.periodic[it] } -> "no axis is periodic"
         coordinates.isEmpty() -> "no periodic axis is without a mean flow"
@@ -64,7 +65,8 @@ internal class DiffusionSection(private val study: Study) : Section {
         trajectories?.add(snapshot)
     }
 
-    private fun isExpected() = chosen.size >= MeanSquareDisplacement.FEWEST_TIMES &&
+    private fun isExpected() = !PerturbedSheet.isSeen(study.last) &&
+        chosen.size >= MeanSquareDisplacement.FEWEST_TIMES &&
         coordinates.isNotEmpty() &&
         input.hasTimes &&
         (omega == null || input.hasVelocities)

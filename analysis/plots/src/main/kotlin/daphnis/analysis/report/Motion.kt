@@ -9,7 +9,9 @@ import daphnis.analysis.profile.LocalDispersion
 import daphnis.analysis.profile.Profile
 import daphnis.analysis.profile.VelocityEllipsoid
 import daphnis.analysis.statistics.BlockAverage
+import daphnis.analysis.transport.PerturbedTransport
 import daphnis.analysis.transport.Transport
+import daphnis.core.boundary.isChanging
 import daphnis.core.population.VelocityMoments
 import daphnis.core.run.SeriesColumns
 import daphnis.core.run.TransportColumns
@@ -29,10 +31,19 @@ internal class Motion(private val input: AnalysisInput, from: Double, last: Stat
     /** Null for spheres without spins. */
     val rotation: Rotation? = if (last.population.hasSpin) Rotation(input, from, last) else null
 
+    /** Of a sheet that is perturbed, over whole periods; null for others, and without a period. */
+    val perturbed: PerturbedTransport? =
+        PerturbedSheet.period(input, last)?.let { period ->
+            val rows = input.transport?.from(from)?.takeIf { it.size >= 2 }
+            rows?.let { PerturbedTransport(it, last.boundary, period) }?.takeIf { it.periods > 0 }
+        }
+
     /** What the rows from the time of averages on tell; null without two of them. */
     val transport: Transport? =
-        input.transport?.from(from)?.takeIf { it.size >= 2 }?.let {
-            val flow = last.boundary.meanFlow
+        input.transport?.from(from)?.takeIf { it.size >= 2 }?.let { all ->
+            // In a perturbed sheet the flow is another at any time, and a period is whole.
+            val it = perturbed?.let { all.until(it.ends().last() * (1 + ROUNDING)) } ?: all
+            val flow = last.boundary.meanFlow.takeUnless { last.boundary.isChanging }
             Transport(
                 it,
                 flow?.rate ?: 0.0,
@@ -119,6 +130,8 @@ internal class Motion(private val input: AnalysisInput, from: Double, last: Stat
     }
 
     private companion object {
+        const val ROUNDING = 1e-9
+
         val OF_STATE: Measure = Measure { state ->
             val m = VelocityMoments.within(state.boundary, state.population, state.frequencies, state.firstBody)
             m.moments + DoubleArray(OfState.entries.size) { OfState.entries[it].of(state, m) }

@@ -70,7 +70,7 @@ internal class OccultationSection(private val study: Study) : Section {
         val radii = study.last.population.radius
         val hasBodies = study.last.population.size > study.bulk.particles
         val note = if (hasBodies) "bodies included, which block light too" else ""
-        rows.exact(null, "geometric optical depth", radii.sumOf { PI * it * it } / study.last.area, "", note)
+        rows.exact(null, "geometric optical depth", radii.sumOf { PI * it * it } / study.last.meanArea, "", note)
         return rows.list()
     }
 

@@ -78,6 +78,7 @@ internal object References {
         val same =
             scenario.restitution == BridgesSpec(0.34, -0.234) &&
                 scenario.boundary.isSheet &&
+                scenario.boundary.narrowing == 0.0 &&
                 orbits.radialFactor == 1.0 &&
                 orbits.verticalFactor == 1.0 &&
                 abs(speed / 0.01948 - 1) < SAME_SCALE

@@ -1,6 +1,7 @@
 package daphnis.analysis.report
 
 import daphnis.analysis.statistics.BlockAverage
+import daphnis.analysis.transport.PerturbedTransport
 import daphnis.analysis.transport.Transport
 import daphnis.core.orbit.OrbitalFrequencies
 import kotlin.math.PI
@@ -31,6 +32,17 @@ internal class RingNumbers(private val study: Study, private val orbits: Orbital
     private fun patch() {
         rows.exact("optical_depth", "optical depth τ", bulk.opticalDepth, "", "Σ π r² over the area")
         rows.exact("surface_density", "surface density Σ", bulk.surfaceDensity, units.surfaceDensity)
+        if (PerturbedSheet.isSeen(study.last)) {
+            val q = PerturbedSheet.q(study.last)
+            rows.exact("perturbation", "perturbation q", q, "", "τ and Σ are for the mean width")
+            rows.exact(
+                "surface_density_ratio",
+                "largest over least surface density",
+                (1 + q) / (1 - q),
+                "",
+                "(1 + q)/(1 − q)",
+            )
+        }
         rows.exact("mean_radius", "mean radius r", r, units.length)
         rows.exact("r_omega", "r Ω", r * omega * speedUnit.factor, speedUnit.name)
     }
@@ -56,7 +68,15 @@ internal class RingNumbers(private val study: Study, private val orbits: Orbital
             "velocity dispersion, total",
             motion.totalDispersion per speed,
             "r Ω",
-            "around the orbital shear, with waves${bulk.byMass}",
+            "around the ${if (PerturbedSheet.isSeen(
+                    study.last,
+                )
+            ) {
+                "flow of streamlines"
+            } else {
+                "orbital shear"
+            }}, with waves" +
+                bulk.byMass,
         )
         for (axis in listOf("x", "y", "z")) {
             rows.average("sigma_$axis", "σ_$axis", motion.moment("$axis$axis").root() per speed, "r Ω")
@@ -89,6 +109,10 @@ internal class RingNumbers(private val study: Study, private val orbits: Orbital
         )
         val impactSpeed = transport.impactSpeed * speedUnit.factor
         rows.average("mean_impact_speed", "mean impact speed", impactSpeed, speedUnit.name)
+        if (PerturbedSheet.isSeen(study.last)) {
+            motion.perturbed?.let { perturbed(it) }
+            return
+        }
         val unit = r * r * omega
         rows.average("viscosity_translational", "viscosity, translational", transport.translational per unit, "r² Ω")
         rows.average("viscosity_collisional", "viscosity, collisional", transport.collisional per unit, "r² Ω")
@@ -110,6 +134,30 @@ internal class RingNumbers(private val study: Study, private val orbits: Orbital
         rows.average(
             "shear_work_over_dissipation",
             if (isKeplerian) "(9/4) Ω² ν over dissipation" else "s² ν over dissipation, s = (2 − ½ κ²/Ω²) Ω",
+            transport.energyBalance per 1.0,
+            "",
+            "1 in a steady state",
+        )
+    }
+
+    private fun perturbed(transport: PerturbedTransport) {
+        val unit = r * r * omega * omega
+        rows.average(
+            "angular_momentum_flux",
+            "flux of angular momentum",
+            transport.angularMomentumFlux per unit,
+            "Σ r² Ω²",
+            "P_xy over the height, mean over periods; s ν without perturbation, negative inward",
+        )
+        rows.average(
+            "angular_momentum_flux_translational",
+            "flux of angular momentum, translational",
+            transport.translationalFlux per unit,
+            "Σ r² Ω²",
+        )
+        rows.average(
+            "shear_work_over_dissipation",
+            "work of the images over dissipation",
             transport.energyBalance per 1.0,
             "",
             "1 in a steady state",

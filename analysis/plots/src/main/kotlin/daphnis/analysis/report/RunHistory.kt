@@ -5,6 +5,7 @@ import daphnis.analysis.series.SeriesTable
 import daphnis.analysis.statistics.Steadiness
 import daphnis.analysis.transport.Transport
 import daphnis.analysis.transport.TransportTable
+import daphnis.core.boundary.isChanging
 import daphnis.core.population.MeanFlow
 import daphnis.core.run.SeriesColumns
 import daphnis.core.run.SeriesColumns.GRANULAR_TEMPERATURE
@@ -78,11 +79,12 @@ internal object RunHistory {
     /**
      * The main quantities of [input]; none for a foreign file, or a run that wrote neither. The series counts where
      * transport.csv has too few rows from the time [from] on. A wave comes back to what it was after its period, so in
-     * rings that wrote modes they are means over whole periods of the strongest wave.
+     * rings that wrote modes they are means over whole periods of the strongest wave, and in a perturbed sheet over those
+     * of the perturbation.
      */
     fun of(input: AnalysisInput, from: Double): List<History> =
         (ofMotion(input, from) + listOfNotNull(rotation(input, from))).let { all ->
-            val period = Waves.of(input, from)?.wavePeriod
+            val period = PerturbedSheet.period(input, input.state(input.size - 1)) ?: Waves.of(input, from)?.wavePeriod
             if (period == null) all else all.map { it.overPeriods(period, from) }
         }
 
@@ -101,7 +103,7 @@ internal object RunHistory {
         if (isShort && series.isNotEmpty()) return series
         val boundary = input.state(input.size - 1).boundary
         return ofTransport(transport, input.omega != null, boundary.space) +
-            listOfNotNull(viscosity(transport, boundary.meanFlow))
+            listOfNotNull(viscosity(transport, boundary.meanFlow.takeUnless { boundary.isChanging }))
     }
 
     private fun viscosity(t: TransportTable, flow: MeanFlow?): History? {

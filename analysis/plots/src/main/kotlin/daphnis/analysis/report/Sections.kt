@@ -75,6 +75,7 @@ internal class Sections(private val study: Study, list: List<(Study) -> Section>
         private val LIST: List<(Study) -> Section> = listOf(
             ::PictureSection,
             ::EvolutionSection,
+            ::PerturbedSection,
             ::WaveSection,
             ::StreamlineSection,
             ::ProfilesSection,

@@ -24,6 +24,7 @@ internal class StreamlineSection(private val study: Study) : Section {
     override val over = study.overLast
     override val applies = study.isRing && study.input.hasVelocities
     override val leftOut = when {
+        PerturbedSheet.isSeen(last) -> "in a perturbed sheet all streamlines are alike"
         study.isThin -> "the patch is too thin for slabs of azimuth: their streamlines are noise"
         else -> study.tooFew(LEAST)
     }

@@ -49,6 +49,9 @@ internal object NumberKeys {
         "shear_work_over_dissipation",
     )
     val RING = STATES + TRANSPORT
+    private val PERTURBATION = listOf("perturbation", "surface_density_ratio")
+    private val FLUXES = listOf("angular_momentum_flux", "angular_momentum_flux_translational")
+    val PERTURBED = STATES.take(2) + PERTURBATION + STATES.drop(2) + TRANSPORT.take(2) + FLUXES + TRANSPORT.last()
     private val CUMULANTS = listOf("spin_a2", "mixed_a2")
     private val SPIN = listOf("rotational_temperature", "rotational_over_translational")
     private val MEAN_SPIN = listOf("mean_spin_x", "mean_spin_y", "mean_spin_z")
@@ -110,8 +113,10 @@ internal object NumberKeys {
     private val single = listOf(INFINITE, GUIDING_CENTRES, DISCS, WALLS, PISTON, INSERTED) + HELFAND + VELOCITIES
 
     private val all =
-        listOf(RING, ROUGH_GAS, SELF_GRAVITY, SHEARED, MOONLET, DIFFUSION, WAVES, FLUID, ORDER, CLUSTERS, single)
-            .flatten().toSet()
+        listOf(
+            RING, PERTURBED, ROUGH_GAS, SELF_GRAVITY, SHEARED, MOONLET, DIFFUSION, WAVES, FLUID, ORDER, CLUSTERS,
+            single,
+        ).flatten().toSet()
 
     /** Keys in the first column of the guide's table of numbers. */
     private fun documented(): List<String> {

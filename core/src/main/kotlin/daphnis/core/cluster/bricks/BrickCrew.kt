@@ -1,5 +1,6 @@
 package daphnis.core.cluster.bricks
 
+import daphnis.core.boundary.approachAlong
 import daphnis.core.cluster.bricks.Cuts.Companion.AXES
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.collision.CollisionRecord
@@ -140,9 +141,9 @@ internal class BrickCrew(
 
     private fun firstWidths(bodies: Bodies, extent: GridExtent): HaloWidths {
         val boundary = whole.step.boundary
-        val approached = abs(boundary.approach) * whole.duration
         val room = DoubleArray(AXES) {
             val rounding = ImageRange.rounding(extent.from[it], extent.from[it] + extent.size[it]) + whole.beyondContact
+            val approached = abs(boundary.approachAlong(it)) * whole.duration
             if (boundary.hasImages(it)) rounding + approached * boundary.box.length(it) else rounding
         }
         return HaloWidths(whole.reach.bound.copyOf(), room, bodies.edges(territory!!), margins.next())

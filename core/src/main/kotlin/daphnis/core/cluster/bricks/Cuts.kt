@@ -10,7 +10,7 @@ import daphnis.core.boundary.BoundaryConditions
  *
  * Slabs are cut along one axis, pencils along two, blocks along three.
  */
-internal class Cuts(private val planes: List<DoubleArray>, boundary: BoundaryConditions) {
+internal class Cuts(private val planes: List<DoubleArray>, private val boundary: BoundaryConditions) {
     private val periodic = BooleanArray(AXES) { boundary.hasImages(it) }
 
     /** Number of parts along [axis]. */
@@ -19,6 +19,28 @@ internal class Cuts(private val planes: List<DoubleArray>, boundary: BoundaryCon
     private val isCut = BooleanArray(AXES) { parts(it) > 1 }
 
     fun isCut(axis: Int): Boolean = isCut[axis]
+
+    /** The same cuts in the box of [now], which has other bounds along axes that have images: they move in proportion. */
+    fun within(now: BoundaryConditions): Cuts = Cuts(
+        planes.mapIndexed { axis, at ->
+            val from = boundary.box.lower(axis)
+            val to = now.box.lower(axis)
+            val by = if (periodic[axis]) now.box.length(axis) / boundary.box.length(axis) else 1.0
+            if (by ==
+                1.0
+            ) {
+                at
+            } else {
+                DoubleArray(at.size) { (to + (at[it] - from) * by).coerceIn(to, now.box.upper(axis)) }
+            }
+        },
+        now,
+    )
+
+    /** Whether they were made for the box of [now]. */
+    fun areOf(now: BoundaryConditions): Boolean = (0 until AXES).all {
+        !periodic[it] || now.box.lower(it) == boundary.box.lower(it) && now.box.upper(it) == boundary.box.upper(it)
+    }
 
     /** Lower end of [part] along [axis]; −∞ where there is none. */
     fun lower(axis: Int, part: Int): Double = when {

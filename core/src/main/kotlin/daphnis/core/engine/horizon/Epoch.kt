@@ -1,5 +1,6 @@
 package daphnis.core.engine.horizon
 
+import daphnis.core.boundary.imagesApproach
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.parallel.OptionalLoop
 import daphnis.core.population.PopulationColumns
@@ -101,7 +102,7 @@ internal class Epoch(
      */
     fun carry(step: CollisionStep, carried: Carried, fixed: HorizonTuning?): PopulationColumns? {
         // Lines know of images that slide along rows alone, and of walls that know their way for several steps.
-        if (step.boundary.approach != 0.0 || !step.boundary.walls.areKnownAhead) {
+        if (step.boundary.imagesApproach || !step.boundary.walls.areKnownAhead) {
             drop()
             return null
         }

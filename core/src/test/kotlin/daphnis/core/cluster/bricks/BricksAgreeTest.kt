@@ -1,7 +1,12 @@
 package daphnis.core.cluster.bricks
 
+import daphnis.core.FixedTimeStep
+import daphnis.core.Simulation
 import daphnis.core.boundary.Box
+import daphnis.core.boundary.at
 import daphnis.core.engine.Case
+import daphnis.core.engine.CollisionEngine
+import daphnis.core.engine.CollisionForcing
 import daphnis.core.engine.Draw
 import daphnis.core.engine.Draws
 import daphnis.core.engine.OddDraw
@@ -9,6 +14,7 @@ import daphnis.core.engine.SerialEngine
 import daphnis.core.engine.assertSameStep
 import daphnis.core.engine.failure
 import daphnis.core.engine.horizon.HorizonTuning
+import daphnis.core.hill.HillFrame
 import daphnis.core.hill.HillSheet
 import daphnis.core.initial.SeededRandom
 import daphnis.core.parallel.FixedPool
@@ -88,6 +94,28 @@ class BricksAgreeTest {
             }
         }
         assertTrue(wrong > 5) { "only $wrong cases are wrong without a comparison" }
+    }
+
+    @Test
+    fun `a box that narrows and widens under its cuts changes no bit`() {
+        val boundary = HillSheet(Box.centred(12.0, 20.0, 6.0), 0.2, perturbation = 0.6)
+        val start = randomSpheres(300, boundary.at(0.0), 4, 0.5) { 0.3 }
+        fun sheet(engine: CollisionEngine) = Simulation(
+            start.copy(),
+            boundary,
+            CollisionForcing(ConstantRestitution(0.7), engine = engine, recordCollisions = true),
+            FixedTimeStep(0.4),
+            listOf(HillFrame(0.2)),
+        )
+        val serial = sheet(SerialEngine())
+        sheet(BricksTogether(FixedPool(2), BrickDivision(4, 1, 1))).use { bricks ->
+            for (step in 1..80) {
+                serial.advance()
+                bricks.advance()
+                assertSameStep(serial, bricks, "step $step")
+            }
+        }
+        assertTrue(serial.collisions!!.counters.collisions > 1000)
     }
 
     @Test
