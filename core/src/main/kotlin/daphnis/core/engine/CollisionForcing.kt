@@ -146,6 +146,9 @@ public class CollisionForcing @JvmOverloads constructor(
         if (pieces != null) counters.broken += pieces.scatter(population, partition, start)
     }
 
+    /** See [CollisionLaw.isPlain]. */
+    internal val isPlain: Boolean get() = collisionLaw.isPlain
+
     /** The states of pairs; null without interactions. */
     internal val states: PairStates? get() = collisionLaw.edges?.states
 

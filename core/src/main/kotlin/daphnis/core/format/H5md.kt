@@ -74,7 +74,10 @@ public object H5md : ReadableFormat, WritableFormat {
     internal val FIXED = NUMBERED.filter { it.change == NEVER }
     internal const val SPECIES = "species"
 
-    /** Group of pairs, and its dataset of those that are bound: lower and higher id of each in turn, of one state. */
+    /**
+     * Group of pairs, and its dataset of those that are bound: lower and higher id of each in turn, of one state. The
+     * attribute of that name of the group `parameters` is their number, also where that is 0.
+     */
     internal const val CONNECTIVITY = "connectivity"
     internal const val BOUND = "bound"
 

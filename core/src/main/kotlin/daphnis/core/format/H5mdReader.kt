@@ -65,8 +65,9 @@ internal class H5mdReader(
     /** Pairs that are bound; null where the file does not say. */
     private fun bound(): IntArray? {
         val name = "${H5md.CONNECTIVITY}/${H5md.BOUND}"
-        if (!isOwn || !source.has(name)) return null
-        return source.ints(name, source.shape(name), 0..Int.MAX_VALUE)
+        val count = source.number(PARAMETERS, H5md.BOUND)
+        if (!isOwn || count == null) return null
+        return if (count == 0L) IntArray(0) else source.ints(name, listOf(2 * count), 0..Int.MAX_VALUE)
     }
 
     /** How far images slid in a file of daphnis. */

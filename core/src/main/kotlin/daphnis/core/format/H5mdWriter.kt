@@ -165,6 +165,7 @@ internal class H5mdWriter(
         ) {
             file.root.group(H5md.CONNECTIVITY).dataset(H5md.BOUND, bound)
         }
+        if (count == 1 && bound != null) parameters.attribute(H5md.BOUND, bound.size / 2L)
         parameters.attribute(H5mdChecksum.ATTRIBUTE, checksum.value())
         file.finish()
     }

@@ -37,8 +37,7 @@ internal class Pieces(private val rule: BreakRule) {
      * @throws IllegalArgumentException when there are no more ids
      */
     fun scatter(population: Population, partition: Partition, start: Double): Int {
-        var broken = IntArray(0)
-        for (k in 0 until population.size) if (population.bonds[k].isNotEmpty()) broken += k
+        val broken = (0 until population.size).filter { population.bonds[it].isNotEmpty() }.toIntArray()
         val all = partition.gather(IntArray(broken.size) { population.id[broken[it]] })
         if (all.isEmpty()) return 0
         all.sort()

@@ -118,13 +118,15 @@ internal object Bonds {
             val (lower, higher) = pairs[k] to pairs[k + 1]
             val (first, second) = places[lower] to places[higher]
             val isPair = first != null && second != null && lower < higher && pairs[k + 2] > UNBOUND
-            require(isPair) { "there is a pair of $lower and $higher in state ${pairs[k + 2]}" }
+            require(isPair) { "there is a pair of $lower and $higher" + inState(pairs[k + 2]) }
             require(state(column[first!!], higher) == UNBOUND) { "the pair of $lower and $higher is there twice" }
             column[first] = with(column[first], higher, pairs[k + 2])
             column[second!!] = with(column[second], lower, pairs[k + 2])
         }
         return column
     }
+
+    private fun inState(state: Int) = if (state == SAID) "" else " in state $state"
 
     private const val PAIR = 3
 }

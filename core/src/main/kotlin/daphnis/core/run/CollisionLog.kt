@@ -24,16 +24,18 @@ internal object CollisionLogOutput : PeriodicOutput("collisions", OutputSpec::co
         if (times.isNever) null else OutputCost("${CollisionColumns.file}, some $ROW_BYTES B per collision")
 
     override fun make(times: OutputTimes, sums: StepSums, files: RunFiles): Output? =
-        if (times.isNever) null else CollisionLog(files, sums.haveSpins, sums.haveEdges)
+        if (times.isNever) null else CollisionLog(files, CollisionColumns.of(sums))
 }
 
 /**
  * `collisions.csv`: one row per collision, in time order. To put numbers into words takes most of the time of a log, so
  * the writer does that, from collisions that are held back until there are [many], or one has waited for a second.
  */
-internal class CollisionLog(files: RunFiles, haveSpins: Boolean, haveEdges: Boolean, private val many: Int = MANY) :
-    Output {
-    private val rows = CollisionColumns.of(haveSpins, haveEdges)
+internal class CollisionLog(
+    files: RunFiles,
+    private val rows: Columns<LoggedCollision>,
+    private val many: Int = MANY,
+) : Output {
     private val file = files.table(rows)
     private var held = HeldCollisions()
 
@@ -92,7 +94,7 @@ internal class LoggedCollision(val held: HeldCollisions) {
 /**
  * The columns of `collisions.csv`; `docs/guide.md` says what they mean. A further quantity is a further line here.
  * [TANGENTIAL_IMPULSE] is only there where spheres have spins, [EDGE] where they have interactions, and
- * [SURFACE_DISSIPATION] in both.
+ * [SURFACE_DISSIPATION] in both, and where they merge or break.
  */
 public object CollisionColumns : TableColumns {
     internal val rows = Columns<LoggedCollision>("collisions.csv")
@@ -139,10 +141,10 @@ public object CollisionColumns : TableColumns {
     @JvmField
     public val EDGE: Column = rows.whole("edge") { it.record.edge(it.k).toLong() }
 
-    /** The columns of spheres that have spins, or interactions. */
-    internal fun of(haveSpins: Boolean, haveEdges: Boolean) = rows.without(
-        (if (haveSpins) emptySet() else TANGENTIAL_IMPULSE.toSet()) +
-            (if (haveEdges) emptySet() else setOf(EDGE)) +
-            if (haveSpins || haveEdges) emptySet() else setOf(SURFACE_DISSIPATION),
+    /** The columns of a run with [sums]. */
+    internal fun of(sums: StepSums) = rows.without(
+        (if (sums.haveSpins) emptySet() else TANGENTIAL_IMPULSE.toSet()) +
+            (if (sums.haveEdges) emptySet() else setOf(EDGE)) +
+            if (sums.haveSpins || !sums.arePlain) emptySet() else setOf(SURFACE_DISSIPATION),
     )
 }

@@ -32,6 +32,11 @@ public class RunOrigin(public val run: RecordedRun, public val state: Snapshot) 
     /** Space and time of the other run; null when it is of a [Program]. */
     internal val around: Surroundings? by lazy { scenario?.let { Surroundings.of(it, "${run.directory.scenario}") } }
 
+    /** What goes over: which pairs are bound says nothing of bridges where the other run had none. */
+    internal val start: Snapshot by lazy {
+        if (scenario?.interactions.orEmpty().any { it.remembers }) state else state.with(bound = null)
+    }
+
     /** Whether the scenario's [key] is of an initial state, so that a run from this one cannot be given it. */
     public fun isOfState(key: String): Boolean {
         if (key.substringBefore('.').substringBefore('[') in OF_STATE) return true
@@ -54,7 +59,7 @@ public class RunOrigin(public val run: RecordedRun, public val state: Snapshot) 
         "$name: the times since the last collisions are not part of a state; guard.duration counts from the start"
             .takeIf { scenario.guard?.remembers == true },
         "$name: bridges are not part of a state; none is there until surfaces meet"
-            .takeIf { state.bound == null && scenario.interactions.any { it.remembers } },
+            .takeIf { start.bound == null && scenario.interactions.any { it.remembers } },
     ) + elsewhere(scenario)
 
     /** Pistons that [scenario] would have elsewhere, or with another speed, than the scenario of the other run. */

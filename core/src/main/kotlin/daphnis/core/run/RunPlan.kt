@@ -51,6 +51,7 @@ internal class RunPlan(
         simulation.boundary.growth != null,
         simulation.boundary.walls.pistons.keys,
         simulation.collisions?.states != null,
+        simulation.collisions?.isPlain != false,
     )
 
     /** Whether the run ends before [until], with the present state. */

@@ -32,10 +32,10 @@ internal fun startRun(
     from: RunOrigin? = null,
 ): Run {
     val start = from?.let { OriginCheck(scenario, source, it).start() } ?: scenario
-    val setup = ScenarioSetup.of(start, source, null, from?.state)
+    val setup = ScenarioSetup.of(start, source, null, from?.start)
     val notices = from?.notices(scenario).orEmpty() + setup.notices + warnings(setup)
     val plan = planOf(setup, null, source, engines, own)
-    return begun(directory, force, plan, notices) { ScenarioJson.write(it.begin(setup.scenario, from?.state)) }
+    return begun(directory, force, plan, notices) { ScenarioJson.write(it.begin(setup.scenario, from?.start)) }
 }
 
 /** A run of [plan] in a directory into which [begin] writes. Closes the plan when it throws. */

@@ -24,6 +24,7 @@ import daphnis.core.wave.ModeSums
  * @property haveGrowth whether spheres grow
  * @property pistons faces of the walls that are pistons
  * @property haveEdges whether spheres do something to one another besides impacts
+ * @property arePlain whether they only meet, and neither have edges nor merge nor break
  */
 internal class StepSums(
     private val sums: PopulationSums,
@@ -35,6 +36,7 @@ internal class StepSums(
     val haveGrowth: Boolean = false,
     val pistons: Set<Int> = emptySet(),
     val haveEdges: Boolean = false,
+    val arePlain: Boolean = true,
 ) {
     /** Names of the materials that there are sums of. */
     val materials: List<String> get() = byMaterial?.materials.orEmpty()

@@ -93,6 +93,27 @@ class BoundStateTest {
         assertEquals(1, notices(null).size)
     }
 
+    @Test
+    fun `a state without a bridge says so, and pairs of a well are no bridges`() {
+        run("whole").use { it.execute() }
+        val recorded = Run.open(home.resolve("whole"))
+        val start = recorded.atStep(0)
+        assertEquals(0, start.bound!!.size)
+        run("again", RunOrigin(recorded, start)).use { again ->
+            assertEquals(emptyList<String>(), again.notices.filter { "bridges" in it })
+        }
+        val well = arrayOf("interaction={\"type\": \"square-well\", \"ratio\": 1.5, \"depth\": 0.5}")
+        run("well", null, *well).use { it.execute() }
+        val inWells = Run.open(home.resolve("well"))
+        val state = inWells.atStep(20)
+        assertTrue(state.bound!!.isNotEmpty())
+        // With no impact there is no bridge that could break or turn two back.
+        val still = arrayOf("restitution.coefficient=1", "until=1.05")
+        run("bridged", RunOrigin(inWells, state), *still).use { begun ->
+            assertEquals(0, begun.simulation.population.bonds.count { it.isNotEmpty() })
+        }
+    }
+
     private companion object {
         const val WET = """{"name": "wet", "until": 3, "box": {"lengths": [7, 7, 7]}, "boundary": {"type": "periodic"},
             "particles": {"count": 100, "sizes": {"type": "equal", "radius": 0.5}, "mass": 1.0},

@@ -2,6 +2,7 @@ package daphnis.core.run
 
 import daphnis.core.collision.CollisionOutcome
 import daphnis.core.collision.CollisionRecord
+import daphnis.core.population.PopulationSums
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
@@ -31,7 +32,7 @@ class CollisionLogTest {
         val logs = listOf(1, 5, 1_000_000).map { many ->
             val directory = RunDirectory(Files.createDirectories(home.resolve("$many")))
             RunFiles(directory).use { files ->
-                CollisionLog(files, haveSpins = false, haveEdges = false, many).use { log ->
+                CollisionLog(files, CollisionColumns.of(StepSums(PopulationSums(null))), many).use { log ->
                     startIn(home.resolve("run-$many")).use { run -> run.execute(watcher = { log.write(it) }) }
                 }
             }

@@ -43,6 +43,26 @@ class EdgeLogTest {
         assertEquals(before - summary.energy, lost, 1e-11 * before)
     }
 
+    @Test
+    fun `rows of spheres that merge and break have all that was lost`() {
+        val changes = listOf(
+            "interaction=null",
+            "merging={\"type\": \"slow\", \"speed\": 0.5}",
+            "breaking={\"speed\": 1.5, \"pieces\": 3, \"spread\": 0.2, \"smallest\": 0.1}",
+        )
+        val scenario = ScenarioJson.parse(WET, "test", changes)
+        val summary = Run.start(scenario, "test", home.resolve("run")).use { it.execute() }
+        val all = rows("collisions.csv")
+        assertTrue("edge" !in all.first())
+        val lost = all.sumOf { row ->
+            row.getValue("surface_dissipation") +
+                0.5 * row.getValue("impulse") * (1 - row.getValue("coefficient")) * row.getValue("impact_speed")
+        }
+        val before = rows("series.csv").first().getValue("kinetic_energy")
+        assertTrue(summary.broken > 20 && summary.mergers > 20) { "${summary.broken} ${summary.mergers}" }
+        assertEquals(before - summary.energy, lost, 1e-11 * before)
+    }
+
     private companion object {
         const val WET = """{"name": "wet", "until": 3, "box": {"lengths": [7, 7, 7]}, "boundary": {"type": "periodic"},
             "particles": {"count": 100, "sizes": {"type": "equal", "radius": 0.5}, "mass": 1.0},
