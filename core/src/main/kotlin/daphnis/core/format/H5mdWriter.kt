@@ -160,12 +160,10 @@ internal class H5mdWriter(
         edges?.let { element("edges", it.dataset(file).unit(names?.length), box) }
         image?.let { element("image", it) }
         // Of several states each would have other pairs.
-        if (count == 1 && bound != null &&
-            bound.isNotEmpty()
-        ) {
-            file.root.group(H5md.CONNECTIVITY).dataset(H5md.BOUND, bound)
+        if (count == 1 && bound != null) {
+            parameters.attribute(H5md.BOUND, bound.size / 2L)
+            if (bound.isNotEmpty()) file.root.group(H5md.CONNECTIVITY).dataset(H5md.BOUND, bound)
         }
-        if (count == 1 && bound != null) parameters.attribute(H5md.BOUND, bound.size / 2L)
         parameters.attribute(H5mdChecksum.ATTRIBUTE, checksum.value())
         file.finish()
     }

@@ -8,6 +8,8 @@ import daphnis.core.input.ValueCheck
 import daphnis.core.orbit.OrbitalFrequencies
 import daphnis.core.wall.Piston
 import daphnis.core.wall.Wall
+import kotlinx.serialization.EncodeDefault
+import kotlinx.serialization.ExperimentalSerializationApi
 import kotlinx.serialization.SerialName
 import kotlinx.serialization.Serializable
 import java.util.function.DoubleFunction
@@ -243,11 +245,12 @@ public sealed interface BoundarySpec {
      *
      * @property perturbation q in [0, 1) of a sheet whose images breathe
      */
+    @OptIn(ExperimentalSerializationApi::class)
     @Serializable
     @SerialName("hill-sheet")
     public class HillSheet @JvmOverloads constructor(
         public val radiallyOpen: Boolean = false,
-        public val perturbation: Double = 0.0,
+        @EncodeDefault(EncodeDefault.Mode.NEVER) public val perturbation: Double = 0.0,
     ) : BoundarySpec {
         override val narrowing: Double get() = perturbation
         override val isSheet: Boolean get() = !radiallyOpen

@@ -26,13 +26,8 @@ internal class Cuts(private val planes: List<DoubleArray>, private val boundary:
             val from = boundary.box.lower(axis)
             val to = now.box.lower(axis)
             val by = if (periodic[axis]) now.box.length(axis) / boundary.box.length(axis) else 1.0
-            if (by ==
-                1.0
-            ) {
-                at
-            } else {
-                DoubleArray(at.size) { (to + (at[it] - from) * by).coerceIn(to, now.box.upper(axis)) }
-            }
+            val top = now.box.upper(axis)
+            if (by == 1.0) at else DoubleArray(at.size) { (to + (at[it] - from) * by).coerceIn(to, top) }
         },
         now,
     )
