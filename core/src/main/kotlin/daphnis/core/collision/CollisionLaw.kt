@@ -168,7 +168,9 @@ public class CollisionLaw @JvmOverloads constructor(
                 outcome.uy = uy
                 outcome.uz = uz
             }
-            if (mayMerge(rows, first, second) && merging!!.take(rows, first, second, outcome)) return@separation
+            if (merging != null && mayMerge(rows, first, second) && merging.take(rows, first, second, outcome)) {
+                return@separation
+            }
             if (restitution != null) {
                 askGuard(rows, first, second, time, outcome)
                 outcome.coefficient = if (outcome.guarded) 1.0 else restitution.coefficient(outcome.impactSpeed)
@@ -233,19 +235,32 @@ public class CollisionLaw @JvmOverloads constructor(
         }
         // The normal is d/|d|; b/d² · d is the approach velocity along it, without a square root that would cost
         // energy.
-        if (breaking == null) return exchange(rows, first, second, (1.0 + coefficient) * b / d2, outcome)
+        if (breaking != null) return shatter(breaking, rows, first, second, b, d2, outcome)
+        exchange(rows, first, second, (1.0 + coefficient) * b / d2, outcome)
+    }
+
+    /** Exchanges momentum with what is left of ½ μ v_n² when the pieces of what breaks have theirs. */
+    private fun shatter(
+        breaking: Breaking,
+        rows: StepRows,
+        first: Int,
+        second: Int,
+        b: Double,
+        d2: Double,
+        outcome: CollisionOutcome,
+    ) {
         breaking.take(rows, first, second, outcome)
         val m1 = rows.mass[first]
         val m2 = rows.mass[second]
-        // What is left to bounce with: ½ μ v_n² without the energy of the pieces.
         val left = -sqrt(max(0.0, b * b - 2.0 * outcome.kept * d2 / (m1 * m2 / (m1 + m2))))
+        val coefficient = outcome.coefficient
         outcome.coefficient = coefficient * (left / b)
         exchange(rows, first, second, (b + coefficient * left) / d2, outcome)
     }
 
     /** What has broken in this step is not one sphere any more. */
-    private fun mayMerge(rows: StepRows, first: Int, second: Int) = merging != null &&
-        (breaking == null || !breaking.isBroken(rows, first) && !breaking.isBroken(rows, second))
+    private fun mayMerge(rows: StepRows, first: Int, second: Int) =
+        breaking == null || !breaking.isBroken(rows, first) && !breaking.isBroken(rows, second)
 
     private fun refuse(coefficient: Double, speed: Double): Nothing = throw IllegalArgumentException(
         "the coefficient of restitution is $coefficient at an impact speed of $speed; it must be in [0, 1]",
