@@ -1,7 +1,6 @@
 package daphnis.app
 
 import com.github.ajalt.clikt.parameters.groups.OptionGroup
-import com.github.ajalt.clikt.parameters.options.default
 import com.github.ajalt.clikt.parameters.options.option
 import com.github.ajalt.clikt.parameters.types.double
 import com.github.ajalt.clikt.parameters.types.int
@@ -72,9 +71,7 @@ internal class BrightnessFlags : OptionGroup() {
         }
         val share = albedo ?: 1.0
         if (share !in 0.0..1.0) throw wrong("--albedo", "$share", "in 0..1")
-        val angles = phaseAngles?.split(',')?.map {
-            it.trim().toDoubleOrNull() ?: throw wrong("--phase-angles", "$phaseAngles", "numbers with commas between")
-        }
+        val angles = phaseAngles?.let { numbersOf("--phase-angles", it) }
         if (paths != null && (orders ?: 1) < 2) throw wrong("--paths", "$paths", "given with --orders of 2 at least")
         if (seed != null && (orders ?: 1) < 2) {
             throw wrong("--brightness-seed", "$seed", "given with --orders of 2 at least")
@@ -83,7 +80,7 @@ internal class BrightnessFlags : OptionGroup() {
             scattering(name, share),
             lightElevation,
             phaseAngle,
-            angles.orEmpty().toDoubleArray(),
+            angles ?: DoubleArray(0),
             orders ?: 1,
             paths ?: Brightness.PATHS,
             seed ?: 1,
@@ -117,9 +114,6 @@ internal class BrightnessFlags : OptionGroup() {
         ).find { it.second != null } ?: return null
         throw wrong(given.first, "${given.second}", "given with --brightness")
     }
-
-    private fun wrong(option: String, value: String, right: String) =
-        InputException(option, null, "is $value; it must be $right")
 
     private companion object {
         const val LAMBERT = "lambert"

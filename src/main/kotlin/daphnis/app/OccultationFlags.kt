@@ -51,12 +51,10 @@ internal class OccultationFlags : OptionGroup() {
         if (elevations == null && !hasBrightness) {
             azimuths?.let { throw wrong("--azimuths", "$it", "given with --elevations or --brightness") }
         }
-        val heights = elevations?.split(',')?.map {
-            it.trim().toDoubleOrNull() ?: throw wrong("--elevations", "$elevations", "numbers with commas between")
-        }
+        val heights = elevations?.let { numbersOf("--elevations", it) } ?: DoubleArray(0)
         val table = observed?.let { ObservedDepths.read(pathOf(it, "--observed")) }
         val turns = azimuths ?: OccultationOptions.AZIMUTHS
-        return OccultationOptions(heights.orEmpty().toDoubleArray(), turns, disc, scanPath, photons, table)
+        return OccultationOptions(heights, turns, disc, scanPath, photons, table)
     }
 
     private fun footprintOf(text: String): Footprint {
@@ -66,7 +64,12 @@ internal class OccultationFlags : OptionGroup() {
         }
         return if (sizes.size == 1) Footprint.disc(sizes[0]) else Footprint.rectangle(sizes[0], sizes[1])
     }
-
-    private fun wrong(option: String, value: String, right: String) =
-        InputException(option, null, "is $value; it must be $right")
 }
+
+/** The numbers of [text], which stands at [option] with commas between. */
+internal fun numbersOf(option: String, text: String): DoubleArray = text.split(',').map {
+    it.trim().toDoubleOrNull() ?: throw wrong(option, text, "numbers with commas between")
+}.toDoubleArray()
+
+internal fun wrong(option: String, value: String, right: String): InputException =
+    InputException(option, null, "is $value; it must be $right")
