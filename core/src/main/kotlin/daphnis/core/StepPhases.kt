@@ -51,6 +51,8 @@ public class StepPhases internal constructor(
     /** Null where no wall is a piston. */
     private val pistons = Pistons.of(boundary, collisions?.record, population, partition)
 
+    private val carried = CarriedState(boundary, forces)
+
     /** What [boundary] is in the step under way. */
     private var present = boundary
 
@@ -68,7 +70,7 @@ public class StepPhases internal constructor(
         isKnownFinite = false
         hasDriftedFinite = false
         undo.begin()
-        pistons?.begin()
+        carried.begin()
     }
 
     /** The length of a step that starts now. */
@@ -146,7 +148,7 @@ public class StepPhases internal constructor(
      */
     public fun takeBack() {
         undo.takeBack()
-        pistons?.takeBack()
+        carried.takeBack()
         collisions?.record?.clear()
     }
 }

@@ -1,6 +1,8 @@
 package daphnis.analysis.moonlet
 
 import daphnis.analysis.table.NumberColumns
+import daphnis.core.hill.Epicycle
+import daphnis.core.orbit.OrbitalFrequencies
 import daphnis.core.run.BodyColumns
 import daphnis.core.table.Column
 import java.nio.file.Path
@@ -21,6 +23,21 @@ public class BodyTable private constructor(public val id: Int, private val colum
     public fun from(time: Double): BodyTable {
         val first = this[BodyColumns.TIME].indexOfFirst { it >= time }.let { if (it < 0) size else it }
         return BodyTable(id, columns.mapValues { it.value.copyOfRange(first, size) })
+    }
+
+    /** Its epicycle at [time], as of the last row until then, among these [orbits]; null before the first row. */
+    public fun orbit(time: Double, orbits: OrbitalFrequencies): Epicycle? {
+        val row = this[BodyColumns.TIME].indexOfLast { it <= time }
+        if (row < 0) return null
+        fun of(column: Column) = this[column][row]
+        return Epicycle(
+            of(BodyColumns.GUIDING_X),
+            of(BodyColumns.GUIDING_Y),
+            of(BodyColumns.ECCENTRICITY),
+            of(BodyColumns.PHASE),
+            of(BodyColumns.INCLINATION),
+            of(BodyColumns.VERTICAL_PHASE),
+        ).after(time - of(BodyColumns.TIME), orbits)
     }
 
     /**

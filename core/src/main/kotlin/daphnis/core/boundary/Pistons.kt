@@ -21,15 +21,6 @@ internal class Pistons private constructor(
 ) {
     private val faces = boundary.walls.pistons
     private val sums = faces.mapValues { ExactSum() }
-    private val before = DoubleArray(2 * WallContact.FACES)
-
-    /** A step begins, which may be taken back. */
-    fun begin() {
-        for ((face, piston) in faces) {
-            before[2 * face] = piston.position
-            before[2 * face + 1] = piston.speed
-        }
-    }
 
     /**
      * A step of [duration] that ended at the time [end] is done.
@@ -56,11 +47,6 @@ internal class Pistons private constructor(
                     "largest sphere is ${2 * largest} wide; a piston needs a smaller force, or a step in which its speed changes by less"
             }
         }
-    }
-
-    /** The step that has begun is none. */
-    fun takeBack() {
-        for ((face, piston) in faces) piston.put(before[2 * face], before[2 * face + 1])
     }
 
     companion object {

@@ -31,7 +31,7 @@ internal enum class Answer { DONE, FAILED, FAILED_ELSEWHERE }
  * @property scenario as the run has resolved it, in JSON
  * @property step number of steps since the start of the run
  * @property time at the end of that step
- * @property boundary what its boundary carries besides the spheres
+ * @property carried what it carries besides the spheres
  * @property records whether collisions are sent
  * @property tally the kinds of [StepTally] that are to be sent in their place; negative for none
  * @property threads by rank
@@ -42,7 +42,7 @@ internal class Begin(
     val scenario: String,
     val step: Long,
     val time: Double,
-    val boundary: DoubleArray,
+    val carried: DoubleArray,
     val records: Boolean,
     val tally: Int,
     val threads: IntArray,
@@ -50,7 +50,7 @@ internal class Begin(
     val idCount: Int,
 ) {
     fun message(): ByteBuffer = MessageWriter().text(scenario).long(step).double(time)
-        .int(boundary.size).doubles(boundary).byte(if (records) 1 else 0).int(tally)
+        .int(carried.size).doubles(carried).byte(if (records) 1 else 0).int(tally)
         .int(threads.size).ints(threads).int(idCount).int(ids?.size ?: -1).ints(ids ?: IntArray(0)).message()
 
     companion object {
@@ -58,14 +58,14 @@ internal class Begin(
             val scenario = from.text()
             val step = from.long
             val time = from.double
-            val boundary = from.doubles(from.int)
+            val carried = from.doubles(from.int)
             val records = from.get().toInt() == 1
             val tally = from.int
             val threads = from.ints(from.int)
             val idCount = from.int
             val sparse = from.int
             val ids = if (sparse < 0) null else from.ints(sparse)
-            return Begin(scenario, step, time, boundary, records, tally, threads, ids, idCount)
+            return Begin(scenario, step, time, carried, records, tally, threads, ids, idCount)
         }
     }
 }
@@ -77,7 +77,7 @@ internal class Begin(
  * @property total number of spheres of all nodes
  * @property held number of spheres that the node holds
  * @property seconds that the step took
- * @property boundary what the boundary carries besides the spheres
+ * @property carried what the simulation carries besides the spheres
  */
 internal class StepDone(
     val time: Double,
@@ -85,7 +85,7 @@ internal class StepDone(
     val total: Int,
     val held: Int,
     val seconds: Double,
-    val boundary: DoubleArray,
+    val carried: DoubleArray,
     val cost: NodeCost,
     val counted: CollisionCounters,
     val record: CollisionRecord?,
@@ -103,7 +103,7 @@ internal class NodeCost(val redone: Long, val haloSpheres: Int, val bytesSent: L
 
 internal fun MessageWriter.stepDone(done: StepDone): MessageWriter = apply {
     double(done.time).double(done.duration).int(done.total).int(done.held).double(done.seconds)
-    int(done.boundary.size).doubles(done.boundary)
+    int(done.carried.size).doubles(done.carried)
     long(done.cost.redone).int(done.cost.haloSpheres).long(done.cost.bytesSent)
     for (counter in Counter.entries) long(done.counted[counter])
     record(done.record)

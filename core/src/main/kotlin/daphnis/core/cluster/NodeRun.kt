@@ -2,6 +2,7 @@
 
 package daphnis.core.cluster
 
+import daphnis.core.CarriedState
 import daphnis.core.CommonNumber
 import daphnis.core.FreePathTimeStep
 import daphnis.core.Output
@@ -10,7 +11,6 @@ import daphnis.core.Simulation
 import daphnis.core.StoppingTimeStep
 import daphnis.core.Stops
 import daphnis.core.TimeStep
-import daphnis.core.boundary.state
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.engine.StepTally
 import daphnis.core.measure
@@ -33,6 +33,7 @@ internal class NodeRun(private val mail: Mail, private val threads: Int) {
     private lateinit var engine: NodeEngine
     private lateinit var simulation: Simulation
     private lateinit var population: Population
+    private lateinit var carried: CarriedState
     private var sendsRecords = false
     private var tally: StepTally? = null
     private val counters get() = simulation.collisions!!.counters
@@ -42,7 +43,8 @@ internal class NodeRun(private val mail: Mail, private val threads: Int) {
         val begin = Begin.read(mail.receive(Mail.LEADER))
         population = receivePart(begin)
         val setup = ScenarioSetup.of(ScenarioJson.parse(begin.scenario, SOURCE), SOURCE, population)
-        setup.boundary.state = begin.boundary
+        carried = setup.carried
+        carried.numbers = begin.carried
         for (part in (setup.forces + setup.boundary).filterIsInstance<Partitioned>()) {
             part.partition = NodePartition(turns)
         }
@@ -137,7 +139,7 @@ internal class NodeRun(private val mail: Mail, private val threads: Int) {
             engine.total,
             population.size,
             seconds,
-            simulation.boundary.state,
+            carried.numbers,
             engine.cost,
             counters.since(before),
             collisions.record.takeIf { sendsRecords },

@@ -2,7 +2,6 @@ package daphnis.core.cluster
 
 import daphnis.core.RemoteParts
 import daphnis.core.RemoteSteps
-import daphnis.core.boundary.state
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.engine.CollisionEngine
 import daphnis.core.engine.CollisionForcing
@@ -41,7 +40,7 @@ internal class NodeSteps(
     private val log: (String) -> Unit,
 ) : RemoteSteps {
     private val scenario = ScenarioJson.write(setup.scenario)
-    private val boundary = setup.boundary
+    private val carried = setup.carried
     private val sums = CrewSums(setup)
 
     @Volatile
@@ -50,14 +49,14 @@ internal class NodeSteps(
     /** The state at home is that after this step. */
     private var homeStep = startStep
     private var homeTime = startTime
-    private var homeBoundary = boundary.state
+    private var homeCarried = carried.numbers
 
     /** The last step that stands. */
     private var step = startStep
     private var time = startTime
     private val before = CollisionCounters()
     private var timeBefore = startTime
-    private var boundaryBefore = homeBoundary
+    private var carriedBefore = homeCarried
     private var isCarried = false
 
     @Volatile
@@ -82,7 +81,7 @@ internal class NodeSteps(
     override fun begin() {
         before.set(forcing.counters)
         timeBefore = time
-        boundaryBefore = boundary.state
+        carriedBefore = carried.numbers
         isCarried = false
     }
 
@@ -106,7 +105,7 @@ internal class NodeSteps(
         }
         report.add(done)
         time = end
-        boundary.state = done[0].boundary
+        carried.numbers = done[0].carried
     }
 
     override fun commit() {
@@ -121,7 +120,7 @@ internal class NodeSteps(
             dismiss()
         }
         isCarried = false
-        boundary.state = boundaryBefore
+        carried.numbers = carriedBefore
         forcing.counters.set(before)
         forcing.record?.clear()
         forcing.tally?.clear()
@@ -142,7 +141,7 @@ internal class NodeSteps(
         copies.measure { crew.gather(state) }
         homeStep = crew.step
         homeTime = time
-        homeBoundary = boundary.state
+        homeCarried = carried.numbers
     }
 
     /** When nodes have come, the crew ends here, and all that are there now begin. */
@@ -227,7 +226,7 @@ internal class NodeSteps(
         val records = forcing.record != null
         val tally = forcing.tally?.kinds ?: -1
         val begin =
-            Begin(scenario, homeStep, homeTime, homeBoundary, records, tally, threads, places.ranked, places.count)
+            Begin(scenario, homeStep, homeTime, homeCarried, records, tally, threads, places.ranked, places.count)
         made.begin(begin, state)
         return made
     }

@@ -38,8 +38,8 @@ public class BodyGravity @JvmOverloads constructor(
     private val place = DoubleArray(4 * bodies.size)
     private val reaction = Array(3 * bodies.size) { ExactSum() }
 
-    // Pull of the sphere at each index on the present body, by component.
-    private var pull = Array(3) { DoubleArray(0) }
+    /** On the present body. */
+    private val pulls = Pulls()
 
     init {
         require(constant >= 0 && constant.isFinite()) { "G is $constant; it must be at least 0" }
@@ -52,13 +52,12 @@ public class BodyGravity @JvmOverloads constructor(
 
     override fun kick(population: Population, time: Double, duration: Double) {
         images.prepare(boundary, time)
-        if (pull[0].size < population.size) pull = Array(3) { DoubleArray(population.size) }
+        pulls.prepare(population.size)
         partition.find(population, bodies, place)
         for (n in bodies.indices) {
-            for (axis in 0..2) reaction[3 * n + axis].clear()
-            if (place[4 * n].isNaN()) continue
-            loop.run(population.size) { _, from, to -> kickOthers(population, n, duration, from, to) }
-            for (axis in 0..2) reaction[3 * n + axis].addAll(pull[axis], 0, population.size)
+            val isThere = !place[4 * n].isNaN()
+            if (isThere) loop.run(population.size) { _, from, to -> kickOthers(population, n, duration, from, to) }
+            pulls.sum(if (isThere) population.size else 0, reaction, 3 * n)
         }
         partition.merge(reaction)
         for (n in bodies.indices) react(population, n)
@@ -74,8 +73,8 @@ public class BodyGravity @JvmOverloads constructor(
         val y = place[4 * n + 1]
         val z = place[4 * n + 2]
         val mass = place[4 * n + 3]
+        pulls.clear(from, to)
         for (k in from until to) {
-            for (axis in 0..2) pull[axis][k] = 0.0
             if (p.id[k] == bodies[n] || isEarlierBody(p.id[k], n)) continue
             towardNearest(d, x - p.x[k], y - p.y[k], z - p.z[k])
             val d2 = d[0] * d[0] + d[1] * d[1] + d[2] * d[2] + softening * softening
@@ -84,7 +83,7 @@ public class BodyGravity @JvmOverloads constructor(
             p.vx[k] += f * mass * d[0]
             p.vy[k] += f * mass * d[1]
             p.vz[k] += f * mass * d[2]
-            for (axis in 0..2) pull[axis][k] = f * p.mass[k] * d[axis]
+            pulls.put(k, f * p.mass[k], d[0], d[1], d[2])
         }
     }
 

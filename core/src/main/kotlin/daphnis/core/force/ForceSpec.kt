@@ -34,6 +34,15 @@ public interface ForceSpec {
     /** The noise with which it heats every sphere; null without. */
     public val noise: WhiteHeating? get() = null
 
+    /** What its force carries from step to step, as at the start; null for nothing. */
+    public val carried: List<Double>? get() = null
+
+    /** Keys that say what [carried] is: a run that goes on from a state of another one takes it from there. */
+    public val keysOfCarried: Set<String> get() = emptySet()
+
+    /** The same which begins with [state], which the force of another run carried. */
+    public fun beginningWith(state: List<Double>): ForceSpec = this
+
     /**
      * The force, with its values checked.
      *

@@ -63,12 +63,52 @@ public class Epicycle @JvmOverloads constructor(
     public fun onCircle(circumference: Double): Epicycle =
         Epicycle(guidingX, guidingY - circumference * Math.rint(guidingY / circumference), e, phase, i, verticalPhase)
 
+    /**
+     * The elements after a change of velocity by ([vx], [vy], [vz]) at the present place. ν must be > 0. The vertical
+     * phase is such that no digit is lost when a quarter turn is added and taken off, as it is for a node.
+     */
+    public fun kicked(vx: Double, vy: Double, vz: Double, frequencies: OrbitalFrequencies): Epicycle {
+        val square = frequencies.radialFactor * frequencies.radialFactor
+        val outwards = 2 * vy / (frequencies.omega * square)
+        val cosine = e * StrictMath.cos(phase) + outwards
+        val sine = e * StrictMath.sin(phase) + vx / frequencies.kappa
+        val z = i * StrictMath.cos(verticalPhase)
+        val w = i * StrictMath.sin(verticalPhase) - vz / frequencies.nu
+        return Epicycle(
+            guidingX + outwards,
+            guidingY - 2 * vx / (frequencies.omega * square),
+            sqrt(cosine * cosine + sine * sine),
+            StrictMath.atan2(sine, cosine),
+            sqrt(z * z + w * w),
+            if (z == 0.0 && w == 0.0) 0.0 else StrictMath.atan2(w, z) + QUARTER - QUARTER,
+        )
+    }
+
+    /** Hill's energy over mass, (length/time)²: kinetic, tidal and centrifugal; constant on the free path. */
+    public fun energy(frequencies: OrbitalFrequencies): Double {
+        val swing = frequencies.kappa * e
+        val vertical = frequencies.nu * i
+        val drift = frequencies.omega * frequencies.radialFactor * guidingX
+        // −(2Ω² − κ²/2) X² + (2Ω − κ²/2Ω)² X²/2 of the circle.
+        return 0.5 * (swing * swing + vertical * vertical) - 0.25 * frequencies.shearFactor * drift * drift
+    }
+
+    /** The [ELEMENTS] numbers of it, in the order of the constructor. */
+    internal fun elements() = doubleArrayOf(guidingX, guidingY, e, phase, i, verticalPhase)
+
     /** Around a point mass, in a frame of angular speed [omega]; or with another [verticalFactor]. */
     @JvmOverloads
     public fun after(time: Double, omega: Double, verticalFactor: Double = 1.0): Epicycle =
         after(time, OrbitalFrequencies(omega, verticalFactor = verticalFactor))
 
     public companion object {
+        /** How many numbers an epicycle is. */
+        internal const val ELEMENTS = 6
+        private const val QUARTER = Math.PI / 2
+
+        /** What [elements] has given, and maybe more numbers behind it. */
+        internal fun ofElements(of: DoubleArray) = Epicycle(of[0], of[1], of[2], of[3], of[4], of[5])
+
         /**
          * The elements of a particle at ([x], [y], [z]) with velocity ([vx], [vy], [vz]) among orbits of these
          * [frequencies]. Allocates.

@@ -5,7 +5,7 @@ import daphnis.core.orbit.OrbitalFrequencies
 import kotlin.math.abs
 
 /**
- * A moon on a given epicyclic orbit in Hill's frame, which a ring feels and which feels no force. Lengths are in units of
+ * A moon on an epicyclic orbit in Hill's frame, which a ring feels. Lengths are in units of
  * length.
  */
 public interface Moon {
@@ -21,8 +21,11 @@ public interface Moon {
     /** Whether it comes back after each synodic period. */
     public val returns: Boolean
 
-    /** Its epicycle at time 0. */
+    /** Its epicycle at [epoch]; for all times, unless it feels the ring. */
     public val orbit: Epicycle
+
+    /** A time. */
+    public val epoch: Double
 
     /**
      * Its mass over that of the planet of [gravitationalParameter] GM, length³/time²; null where [units] do not tell.

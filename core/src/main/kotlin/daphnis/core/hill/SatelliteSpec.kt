@@ -18,19 +18,22 @@ import kotlinx.serialization.Serializable
 import kotlin.math.abs
 
 /**
- * A moon on a given epicyclic orbit in Hill's frame. The ring feels its gravity; the moon feels no force.
+ * A moon on an epicyclic orbit in Hill's frame. The ring feels its gravity; the moon feels that of the ring if it
+ * [feelsRing].
  *
  * @property massRatio mass over that of the planet; exactly one of this and [mass]
  * @property x radial position of its guiding centre
- * @property y azimuthal position of its guiding centre at time 0
+ * @property y azimuthal position of its guiding centre at [epoch]
  * @property e amplitude of its epicycle in units of length: eccentricity times semi-major axis
- * @property phase φ at time 0 in radians; pericentre at 0
+ * @property phase φ at [epoch] in radians; pericentre at 0
  * @property softening length ε in 1/(r² + ε²)
  * @property radius particles that touch it are removed; 0 for a point
  * @property constant G in the scenario's units, with [mass]; from its units when left out
  * @property inclination amplitude of its vertical swing in units of length: inclination times semi-major axis
- * @property node phase of that swing at time 0 in radians, from the ascending node
+ * @property node phase of that swing at [epoch] in radians, from the ascending node
  * @property returns whether it comes back after each synodic period
+ * @property feelsRing whether the spheres pull it as it pulls them; else it keeps its orbit
+ * @property epoch time of the elements
  */
 @OptIn(ExperimentalSerializationApi::class)
 @Serializable
@@ -48,11 +51,25 @@ public class SatelliteSpec @JvmOverloads constructor(
     @EncodeDefault(EncodeDefault.Mode.NEVER) override val inclination: Double = 0.0,
     @EncodeDefault(EncodeDefault.Mode.NEVER) public val node: Double = 0.0,
     @EncodeDefault(EncodeDefault.Mode.NEVER) override val returns: Boolean = false,
+    @EncodeDefault(EncodeDefault.Mode.NEVER) public val feelsRing: Boolean = false,
+    @EncodeDefault(EncodeDefault.Mode.NEVER) override val epoch: Double = 0.0,
 ) : ForceSpec,
     Moon {
     /** Without [inclination] the vertical phase is 0. */
     override val orbit: Epicycle
         get() = Epicycle(x, y, e, phase, inclination, if (inclination == 0.0) 0.0 else node - Math.PI / 2)
+
+    /** The elements of [orbit] and [epoch]. */
+    override val carried: List<Double>? get() = if (feelsRing) orbit.elements().asList() + epoch else null
+    override val keysOfCarried: Set<String> get() = KEYS_OF_ORBIT
+
+    override fun beginningWith(state: List<Double>): ForceSpec {
+        val orbit = Epicycle.ofElements(state.toDoubleArray())
+        return SatelliteSpec(
+            massRatio, mass, orbit.guidingX, orbit.guidingY, orbit.e, orbit.phase, softening, radius, constant, orbit.i,
+            if (orbit.i == 0.0) 0.0 else orbit.verticalPhase + Math.PI / 2, returns, feelsRing, state[Epicycle.ELEMENTS],
+        )
+    }
 
     override fun massRatio(units: UnitsSpec, gravitationalParameter: Double): Double? {
         val constant = constant ?: units.gravitationalConstant ?: return null
@@ -79,7 +96,19 @@ public class SatelliteSpec @JvmOverloads constructor(
         check.atLeast0("$key.e", e)
         check.atLeast0("$key.radius", radius, "0 for a point")
         check.atLeast0("$key.inclination", inclination)
-        return Satellite(strength, orbit, orbits, softening, circumference(place))
+        check.must("$key.epoch", epoch.isFinite()) { "is $epoch; it must be finite" }
+        return Satellite(strength, orbit, orbits, softening, circumference(place), inertia(place, strength), epoch)
+    }
+
+    /** The mass of one of so much gravity; infinite for one that feels nothing. */
+    private fun inertia(place: ForcePlace, strength: Double): Double {
+        if (!feelsRing) return Double.POSITIVE_INFINITY
+        val key = "${place.key}.feelsRing"
+        place.check.must(key, radius == 0.0) { "is of a satellite without radius, onto which nothing falls" }
+        place.check.must(key, place.orbits!!.nu > 0) { "needs a force towards the midplane; verticalFactor is 0" }
+        val constant = constant ?: place.units.gravitationalConstant
+        place.check.must(key, constant != 0.0) { "needs a constant of gravity that is not 0" }
+        return mass ?: (strength / place.constant(constant))
     }
 
     /** Of the orbit along which it comes back; infinite when it does not. */
@@ -169,4 +198,5 @@ public class SatelliteSpec @JvmOverloads constructor(
     }
 }
 
+private val KEYS_OF_ORBIT = setOf("x", "y", "e", "phase", "inclination", "node", "epoch")
 private const val LENGTH = "units.lengthInMetres"

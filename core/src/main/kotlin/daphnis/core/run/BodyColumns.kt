@@ -1,32 +1,41 @@
 package daphnis.core.run
 
 import daphnis.core.Simulation
+import daphnis.core.format.Snapshot
 import daphnis.core.hill.Epicycle
 import daphnis.core.table.Column
 import daphnis.core.table.Columns
 import daphnis.core.table.Dimension
 import daphnis.core.table.Need
 import daphnis.core.table.TableColumns
+import java.nio.file.Path
 
-/** The source of a row of `bodies.csv`: the body at index [k] after a step of [simulation]. */
-internal class BodyRow(val simulation: Simulation, val push: BodyPush, val k: Int) {
-    val population = simulation.population
-
+/** The source of a row of `bodies.csv`: a body that has the [state] x y z v_x v_y v_z after a step of [simulation]. */
+internal class BodyRow(val simulation: Simulation, val push: BodyPush, val state: DoubleArray) {
     /** Its epicycle; null without Hill's frame. */
-    val orbit: Epicycle? = push.orbits?.let {
-        val p = population
-        Epicycle.of(p.x[k], p.y[k], p.z[k], p.vx[k], p.vy[k], p.vz[k], it)
-    }
+    val orbit: Epicycle? = push.body.orbit(simulation)
 }
 
 /**
  * The columns of `bodies.csv`, a row for each body and time; `docs/guide.md` says what they mean. A further quantity
- * is a further line here.
+ * is a further line here. A satellite that feels the ring is a body too.
  */
 public object BodyColumns : TableColumns {
     internal val rows = Columns<BodyRow>("bodies.csv")
     override val file: String get() = rows.file
     override val columns: List<Column> get() = rows.columns
+
+    /**
+     * Elements and time of the satellites that feel the ring at [state], by the number of their rows, as the file at
+     * [path] has them.
+     */
+    internal fun satellites(path: Path, state: Snapshot): Map<Int, List<Double>> {
+        val elements = listOf(GUIDING_X, GUIDING_Y, ECCENTRICITY, PHASE, INCLINATION, VERTICAL_PHASE, TIME)
+        return RowsOfState.read(path, state, TIME).mapNotNull { row ->
+            val id = row[BODY]?.toInt()?.takeIf { it < 0 } ?: return@mapNotNull null
+            elements.map { row[it] ?: return@mapNotNull null }.let { id to it }
+        }.toMap()
+    }
 
     @JvmField
     public val STEP: Column = rows.whole("step") { it.simulation.step }
@@ -34,26 +43,26 @@ public object BodyColumns : TableColumns {
     @JvmField
     public val TIME: Column = rows.number("time", Dimension.TIME, Need.NEEDED) { it.simulation.time }
 
-    /** Id of the body. */
+    /** Id of the body; of a satellite that feels the ring, −1 for the first of all, −2 for the second. */
     @JvmField
-    public val BODY: Column = rows.whole("body", Need.NEEDED) { it.push.id.toLong() }
+    public val BODY: Column = rows.whole("body", Need.NEEDED) { it.push.body.id.toLong() }
 
     @JvmField
-    public val MASS: Column = rows.number("mass", Dimension.MASS, Need.NEEDED) { it.population.mass[it.k] }
+    public val MASS: Column = rows.number("mass", Dimension.MASS, Need.NEEDED) { it.push.body.mass(it.simulation) }
 
     /** In the box. */
     @JvmField
     public val POSITION: List<Column> =
-        rows.each(listOf("x", "y", "z"), Dimension.LENGTH) { row, axis -> row.population.position(axis)[row.k] }
+        rows.each(listOf("x", "y", "z"), Dimension.LENGTH) { row, axis -> row.state[axis] }
 
     @JvmField
     public val VELOCITY: List<Column> =
-        rows.each(listOf("vx", "vy", "vz"), Dimension.SPEED) { row, axis -> row.population.velocity(axis)[row.k] }
+        rows.each(listOf("vx", "vy", "vz"), Dimension.SPEED) { row, axis -> row.state[3 + axis] }
 
     /** X as if no face had been crossed: how far the semi-major axis has moved. */
     @JvmField
     public val GUIDING_X: Column =
-        rows.number("guiding_x", Dimension.LENGTH, Need.NEEDED) { it.push.guidingX(it.simulation, it.k) }
+        rows.number("guiding_x", Dimension.LENGTH, Need.NEEDED) { it.push.body.guidingX(it.simulation) }
 
     /** Y in the box. */
     @JvmField
@@ -85,5 +94,5 @@ public object BodyColumns : TableColumns {
     /** The same by everything else, which is gravity. */
     @JvmField
     public val GRAVITY_PUSH: Column =
-        rows.number("gravity_push", Dimension.MOMENTUM, Need.NEEDED) { it.push.others(it.simulation, it.k) }
+        rows.number("gravity_push", Dimension.MOMENTUM, Need.NEEDED) { it.push.others(it.simulation) }
 }

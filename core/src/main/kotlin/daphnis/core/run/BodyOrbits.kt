@@ -22,7 +22,7 @@ internal object BodiesOutput : PeriodicOutput("bodies", OutputSpec::bodiesEvery,
 }
 
 /**
- * `bodies.csv`: at each of [times] a row for each body that is there, in the order of ids. What impacts gave since the
+ * `bodies.csv`: at each of [times] a row for each satellite that feels the ring and each body that is there, in the order of ids. What impacts gave since the
  * row before is summed in the run, since a body may have thousands of impacts in between; what else acted is the rest
  * of the change of its orbit ([BodyPush]).
  */
@@ -36,7 +36,8 @@ internal class BodyOrbits(private val times: OutputTimes, private val sums: Step
 
     override fun open(simulation: Simulation, opening: Opening) {
         val orbits = sums.frequencies
-        pushes = simulation.population.id.filter { it >= sums.firstBody }.sorted().map { BodyPush(it, orbits) }
+        val spheres = simulation.population.id.filter { it >= sums.firstBody }.sorted().map { TracedSphere(it, orbits) }
+        pushes = (TracedMoon.all(simulation, orbits).reversed() + spheres).map { BodyPush(it) }
         saved?.let { state -> pushes.forEach { it.restore(state) } }
         saved = null
         lastStep = simulation.step
@@ -49,9 +50,8 @@ internal class BodyOrbits(private val times: OutputTimes, private val sums: Step
         lastStep = simulation.step
         if (!times.isDue(simulation)) return
         for (push in pushes) {
-            val k = simulation.population.indexOf(push.id)
-            if (k < 0) continue
-            BodyColumns.rows.write(BodyRow(simulation, push, k), file.line())
+            val state = push.body.state(simulation) ?: continue
+            BodyColumns.rows.write(BodyRow(simulation, push, state), file.line())
             file.endLine()
             push.begin(simulation)
         }
@@ -69,7 +69,7 @@ internal class BodyOrbits(private val times: OutputTimes, private val sums: Step
     }
 
     private fun pushOn(id: Int): BodyPush? {
-        for (push in pushes) if (push.id == id) return push
+        for (push in pushes) if (push.body.id == id) return push
         return null
     }
 

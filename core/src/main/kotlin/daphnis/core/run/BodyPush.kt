@@ -3,12 +3,11 @@ package daphnis.core.run
 import daphnis.core.OutputState
 import daphnis.core.Simulation
 import daphnis.core.collision.CollisionRecord
-import daphnis.core.orbit.OrbitalFrequencies
 import daphnis.core.population.ExactSum
 import kotlin.math.sqrt
 
 /**
- * What pushed the body [id] along its orbit since a time. A push P at one place moves the guiding centre by
+ * What pushed a [body] along its orbit since a time. A push P at one place moves the guiding centre by
  *
  * ```
  *   ΔX = 2 P Ω / (m κ²)
@@ -19,10 +18,10 @@ import kotlin.math.sqrt
  * length h also displaces the body until the end of the step. To first order in h its push is p_y + Ω (h − 2t) p_x: the
  * sum [impacts] is off by (Ωh)² of it, and [others], the rest, by as much. The sum is exact, so the order in which an
  * engine finds impacts changes no bit.
- *
- * @param orbits null without Hill's frame: there is p_y of impacts then, and no rest
+ * Without Hill's frame there is p_y of impacts, and no rest.
  */
-internal class BodyPush(val id: Int, val orbits: OrbitalFrequencies?) {
+internal class BodyPush(val body: Traced) {
+    private val orbits = body.orbits
     private val sum = ExactSum()
     private var guiding = Double.NaN
 
@@ -38,30 +37,19 @@ internal class BodyPush(val id: Int, val orbits: OrbitalFrequencies?) {
     val impacts: Double get() = sum.value()
 
     /** P of everything else: gravity of the ring, of other bodies and of satellites. NaN without Hill's frame. */
-    fun others(simulation: Simulation, k: Int): Double {
+    fun others(simulation: Simulation): Double {
         val orbits = orbits ?: return Double.NaN
         val square = orbits.radialFactor * orbits.radialFactor
-        val whole = simulation.population.mass[k] * orbits.omega * square / 2 * (guidingX(simulation, k) - guiding)
+        val whole = body.mass(simulation) * orbits.omega * square / 2 * (body.guidingX(simulation) - guiding)
         return whole - impacts
     }
-
-    /** X as if no face had been crossed, of the body at index [k]. NaN without Hill's frame. */
-    fun guidingX(simulation: Simulation, k: Int): Double {
-        val orbits = orbits ?: return Double.NaN
-        val p = simulation.population
-        return orbits.guidingX(p.x[k], p.vy[k]) + p.boxesCrossed(id, 0) * width(simulation)
-    }
-
-    private fun width(simulation: Simulation) =
-        if (simulation.boundary.repeats(0)) simulation.boundary.box.length(0) else 0.0
 
     /** Counts from the present state on. */
     fun begin(simulation: Simulation) {
         isNew = false
         count = 0
         sum.clear()
-        val k = simulation.population.indexOf(id)
-        guiding = if (k < 0) Double.NaN else guidingX(simulation, k)
+        guiding = body.guidingX(simulation)
     }
 
     /** Adds impact [k] of [record] in a step of [duration]; [sign] is −1 where the body has the lower id. */
@@ -78,14 +66,14 @@ internal class BodyPush(val id: Int, val orbits: OrbitalFrequencies?) {
     }
 
     fun save(state: OutputState) {
-        state.put("$id", doubleArrayOf(count.toDouble(), guiding) + sum.parts())
+        state.put("${body.id}", doubleArrayOf(count.toDouble(), guiding) + sum.parts())
     }
 
     /** Takes over what [save] put into [state]; nothing where it knows no such body. */
     fun restore(state: OutputState) {
-        if ("$id" !in state.names) return
-        val numbers = state.doubles("$id")
-        require(numbers.size >= 2) { "the state of body $id has ${numbers.size} numbers" }
+        if ("${body.id}" !in state.names) return
+        val numbers = state.doubles("${body.id}")
+        require(numbers.size >= 2) { "the state of body ${body.id} has ${numbers.size} numbers" }
         isNew = false
         count = numbers[0].toLong()
         guiding = numbers[1]

@@ -3,6 +3,8 @@ package daphnis.core.run
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.collision.CollisionCounters
 import daphnis.core.collision.Counter
+import daphnis.core.force.Force
+import daphnis.core.population.Carried
 import daphnis.core.wall.pistons
 import kotlinx.serialization.EncodeDefault
 import kotlinx.serialization.ExperimentalSerializationApi
@@ -25,6 +27,8 @@ import kotlinx.serialization.Serializable
  *
  * @property snapshots checksum of each state that was written as a snapshot, by step
  *
+ * @property forces the state of each force that has one, in their order
+ *
  * @property losses what was lost of tables, and accepted on a resume, since the start of the run; one line each
  */
 @OptIn(ExperimentalSerializationApi::class)
@@ -40,12 +44,15 @@ internal class CheckpointMeta(
     @EncodeDefault(EncodeDefault.Mode.NEVER) val reducedPressure: Double? = null,
     @EncodeDefault(EncodeDefault.Mode.NEVER) val pistons: Map<Int, List<Double>> = emptyMap(),
     @EncodeDefault(EncodeDefault.Mode.NEVER) val snapshots: Map<Long, Long> = emptyMap(),
+    @EncodeDefault(EncodeDefault.Mode.NEVER) val forces: List<List<Double>> = emptyList(),
 ) {
     init {
         val lacks = Counter.entries.find { it.isOfTrajectory && !it.isNew && it.key !in counted }
         require(lacks == null) { "it does not say ${lacks?.key}" }
         val wrong = pistons.entries.find { (_, state) -> state.size != 2 || !state.all { it.isFinite() } }
         require(wrong == null) { "the piston at face ${wrong?.key} has the state ${wrong?.value}" }
+        val odd = forces.find { state -> !state.all { it.isFinite() } }
+        require(odd == null) { "a force has the state $odd" }
     }
 
     /** The same with the marks of the run's files. */
@@ -64,15 +71,21 @@ internal class CheckpointMeta(
         reducedPressure,
         pistons,
         snapshots,
+        forces,
     )
 
-    /** Puts the pistons of [boundary] where they were. */
-    fun putPistons(boundary: BoundaryConditions) {
+    /** Puts the pistons of [boundary], and those of [all] forces that have a state, where they were. */
+    fun put(boundary: BoundaryConditions, all: List<Force>) {
         for ((face, piston) in boundary.walls.pistons) {
-            val (position, speed) =
-                requireNotNull(pistons[face]) { "it does not say where the piston at face $face is" }
-            piston.put(position, speed)
+            piston.carried = requireNotNull(pistons[face]) { "it does not say where the piston at face $face is" }
+                .toDoubleArray()
         }
+        reducedPressure?.let { boundary.growth?.resume(it) }
+        val carriers = carriers(all)
+        require(carriers.map { it.carried.size } == forces.map { it.size }) {
+            "it has ${forces.size} states of forces, and ${carriers.size} forces have one"
+        }
+        for ((carrier, state) in carriers.zip(forces)) carrier.carried = state.toDoubleArray()
     }
 
     /** Sets [counters] to the stored counts. */
@@ -83,6 +96,12 @@ internal class CheckpointMeta(
     companion object {
         /** In the file, where counts stand among the other numbers. */
         val FILED = CountersAtTop(serializer())
+
+        private fun carriers(all: List<Force>) =
+            all.filterIsInstance<Carried>().filter { it.carried.isNotEmpty() }
+
+        /** What [all] forces carry, as `forces` has it. */
+        fun carried(all: List<Force>): List<List<Double>> = carriers(all).map { it.carried.asList() }
 
         /** The counts of [counters], as `counted` has them. */
         fun counted(counters: CollisionCounters): Map<String, Long> =

@@ -2,6 +2,7 @@ package daphnis.core.run
 
 import daphnis.core.Simulation
 import daphnis.core.force.Drift
+import daphnis.core.hill.Satellite
 
 /**
  * The energies of a state, mass · (length/time)². NaN where a force has no potential energy
@@ -9,7 +10,8 @@ import daphnis.core.force.Drift
  *
  * @property potential in all forces except the frame
  * @property total kinetic, that of rotation and [potential]; NaN in a rotating frame, in which it is not conserved
- * @property hill the same in the rotating frame, relative to it, plus that of the rotating frame; NaN without one
+ * @property hill the same in the rotating frame, relative to it, plus that of the rotating frame, and of satellites that feel
+ *   the ring; NaN without one
  */
 internal class Energies(simulation: Simulation, sums: StepSums) {
     val potential: Double
@@ -20,12 +22,14 @@ internal class Energies(simulation: Simulation, sums: StepSums) {
         val kinetic = sums.of(simulation).kineticEnergy + (sums.spins(simulation)?.energyOfRotation ?: 0.0)
         var forces = 0.0
         var frame = Double.NaN
+        var own = 0.0
         for (force in simulation.forces) {
             val energy = sums.potentialEnergy(simulation, force)
             if (force is Drift) frame = energy else forces += energy
+            own += (force as? Satellite)?.energy ?: 0.0
         }
         potential = forces
-        hill = kinetic + forces + frame
+        hill = kinetic + forces + frame + own
         total = if (simulation.forces.any { it is Drift }) Double.NaN else kinetic + forces
     }
 }

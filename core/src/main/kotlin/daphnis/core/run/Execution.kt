@@ -149,7 +149,8 @@ internal class Execution(
             wallSeconds,
             losses = from?.losses.orEmpty(),
             reducedPressure = simulation.boundary.growth?.reducedPressure?.takeIf { it.isFinite() },
-            pistons = simulation.boundary.walls.pistons.mapValues { (_, it) -> listOf(it.position, it.speed) },
+            pistons = simulation.boundary.walls.pistons.mapValues { (_, it) -> it.carried.asList() },
+            forces = CheckpointMeta.carried(simulation.forces),
         )
         val population = simulation.population
         files.writer.state(SpheresById.bytes(population), { SpheresById(population) }) { spheres ->

@@ -1,6 +1,7 @@
 package daphnis.core.run
 
 import daphnis.core.boundary.BoundaryConditions
+import daphnis.core.force.ForceSpec
 import daphnis.core.input.InputException
 import daphnis.core.scenario.BoundarySpec
 import daphnis.core.scenario.FrameSetup
@@ -39,6 +40,7 @@ internal class OriginCheck(private val scenario: Scenario, private val source: S
             firstBody = other?.firstBody(state.size)?.takeIf { bodies.isNotEmpty() },
             growth = growth(other),
             boundary = boundary(other),
+            forces = forces(other),
         )
         checkCount(bodies.size)
         if (other != null) checkUnits(other)
@@ -68,6 +70,21 @@ internal class OriginCheck(private val scenario: Scenario, private val source: S
             }
         }
         return scenario.boundary.withPistons(states.filterKeys { it in both })
+    }
+
+    /** What a force carried in the other run it goes on with. */
+    private fun forces(other: Scenario?): List<ForceSpec> {
+        val before = other?.forces.orEmpty()
+        val states = from.forces()
+        return scenario.forces.mapIndexed { k, force ->
+            if (before.getOrNull(k)?.carried == null) return@mapIndexed force
+            val state = states[k]
+            must("forces[$k]", state != null) {
+                "goes on, and nothing says where it was in $said; take a state after a step that has a row in " +
+                    BodyColumns.file
+            }
+            force.beginningWith(state!!)
+        }
     }
 
     /** The run's own scenario says how many there were at its start, which may have been more. */

@@ -93,7 +93,7 @@ private fun planOf(program: Program, population: Population, meta: CheckpointMet
         }
         if (meta != null) {
             simulation.goOnFrom(meta.time, meta.step)
-            meta.putPistons(simulation.boundary)
+            meta.put(simulation.boundary, simulation.forces)
             simulation.collisions?.let { meta.countInto(it.counters) }
         }
         if (!ModesOutput.times(output).isNever) {

@@ -3,6 +3,7 @@ package daphnis.core.run
 import daphnis.core.collision.GuardSpec
 import daphnis.core.format.Snapshot
 import daphnis.core.format.reasonOf
+import daphnis.core.hill.Moon
 import daphnis.core.input.InputException
 import daphnis.core.scenario.ClockSpec
 import daphnis.core.scenario.PlacementSpec
@@ -11,6 +12,7 @@ import daphnis.core.scenario.Surroundings
 import daphnis.core.scenario.TimeStepSpec
 import daphnis.core.scenario.WallFacesSpec
 import java.io.IOException
+import java.nio.file.Path
 
 /**
  * A state of another run from which a run starts, see [Run.start].
@@ -40,6 +42,10 @@ public class RunOrigin(public val run: RecordedRun, public val state: Snapshot) 
     /** Whether the scenario's [key] is of an initial state, so that a run from this one cannot be given it. */
     public fun isOfState(key: String): Boolean {
         if (key.substringBefore('.').substringBefore('[') in OF_STATE) return true
+        OF_FORCE.matchEntire(key)?.destructured?.let { (index, own) ->
+            val force = scenario?.forces?.getOrNull(index.toInt())
+            return force?.carried != null && own in force.keysOfCarried
+        }
         val face = OF_PISTON.matchEntire(key)?.groupValues?.get(1) ?: return false
         return WallFacesSpec.NAMES.indexOf(face) in pistonsOf(scenario)
     }
@@ -60,7 +66,7 @@ public class RunOrigin(public val run: RecordedRun, public val state: Snapshot) 
             .takeIf { scenario.guard?.remembers == true },
         "$name: bridges are not part of a state; none is there until surfaces meet"
             .takeIf { start.bound == null && scenario.interactions.any { it.remembers } },
-    ) + elsewhere(scenario)
+    ) + elsewhere(scenario) + forcesElsewhere(scenario)
 
     /** Pistons that [scenario] would have elsewhere, or with another speed, than the scenario of the other run. */
     private fun elsewhere(scenario: Scenario): List<String> {
@@ -73,19 +79,45 @@ public class RunOrigin(public val run: RecordedRun, public val state: Snapshot) 
         }
     }
 
-    /** Position and speed of each piston in the state, by face; null where the run does not tell. */
-    internal fun pistons(): Map<Int, List<Double>>? {
-        CheckpointState(run.directory).meta(state.step)?.let { return it.pistons }
-        val series = run.directory.series
-        return try {
-            SeriesColumns.pistons(series, state)
-        } catch (e: IOException) {
-            throw InputException("$series", null, "cannot be read: ${reasonOf(e, series)}")
+    /** Forces that [scenario] would have begin with another state than the scenario of the other run. */
+    private fun forcesElsewhere(scenario: Scenario): List<String> {
+        val before = this.scenario?.forces.orEmpty()
+        return scenario.forces.mapIndexedNotNull { k, force ->
+            val there = before.getOrNull(k)?.carried
+            if (there == null || force.carried == null || force.carried == there) return@mapIndexedNotNull null
+            "$name: forces[$k] goes on from where it is in the state; ${force.keysOfCarried.joinToString()} are not used"
         }
+    }
+
+    private val checkpoint by lazy { CheckpointState(run.directory).meta(state.step) }
+
+    /** Position and speed of each piston in the state, by face; null where the run does not tell. */
+    internal fun pistons(): Map<Int, List<Double>>? =
+        checkpoint?.pistons ?: read(run.directory.series) { SeriesColumns.pistons(it, state) }
+
+    /** What each force carries in the state that carries something, by its index; not where the run does not tell. */
+    internal fun forces(): Map<Int, List<Double>> {
+        val all = scenario?.forces.orEmpty()
+        val carriers = all.indices.filter { all[it].carried != null }
+        if (carriers.isEmpty()) return emptyMap()
+        if (state.step == 0L) return carriers.associateWith { all[it].carried!! }
+        checkpoint?.forces?.takeIf { it.size == carriers.size }?.let { return carriers.zip(it).toMap() }
+        val satellites = read(run.directory.bodies) { BodyColumns.satellites(it, state) }
+        return carriers.mapNotNull { k ->
+            val row = -1 - all.take(k).count { it is Moon }
+            satellites[row]?.let { k to it }
+        }.toMap()
+    }
+
+    private fun <T> read(path: Path, read: (Path) -> T): T = try {
+        read(path)
+    } catch (e: IOException) {
+        throw InputException("$path", null, "cannot be read: ${reasonOf(e, path)}")
     }
 
     internal companion object {
         private val OF_STATE = setOf("seed", "particles", "bodies", "placement", "velocities", "spins")
+        private val OF_FORCE = Regex("""forces\[(\d{1,9})]\.(\w+)""")
         private val OF_PISTON = Regex("""boundary\.faces\.(\w+)\.motion\.(?:position|velocity)""")
 
         /** The pistons of [scenario] by face. */

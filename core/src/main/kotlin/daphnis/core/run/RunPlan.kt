@@ -103,8 +103,7 @@ internal fun planOf(
         val forcing = setup.collisions(engine, readers.isNotEmpty() && !areSummed)
         if (areSummed) forcing.tally = StepTally(setup.boundary.walls.areDriven, setup.carriesHeat)
         meta?.countInto(forcing.counters)
-        meta?.putPistons(setup.boundary)
-        meta?.reducedPressure?.let { setup.boundary.growth?.resume(it) }
+        meta?.put(setup.boundary, setup.forces)
         val time = meta?.time ?: scenario.startTime
         val step = meta?.step ?: 0
         forcing.bind(setup.population, setup.boundary, time)

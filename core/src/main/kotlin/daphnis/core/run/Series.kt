@@ -17,7 +17,6 @@ import daphnis.core.table.Need
 import daphnis.core.table.TableColumns
 import daphnis.core.wall.Piston
 import daphnis.core.wall.pistons
-import java.nio.file.Files
 import java.nio.file.Path
 
 /** The declaration of [Series]. Without rows the file has its header: rows may begin at a resume. */
@@ -172,18 +171,11 @@ public object SeriesColumns : TableColumns {
 
     /** Position and speed of each piston at [state], by face, as the file at [path] has it; null without its row. */
     internal fun pistons(path: Path, state: Snapshot): Map<Int, List<Double>>? {
-        if (!Files.exists(path)) return null
-        Files.newBufferedReader(path).use { reader ->
-            val names = reader.readLine()?.split(',')?.map { it.substringBefore(" [") } ?: return null
-            val row = reader.lineSequence().filter { it.startsWith("${state.step},") }.singleOrNull()?.split(',')
-            if (row == null || row.size != names.size) return null
-            fun at(column: Column) = names.indexOf(column.name).let { row.getOrNull(it)?.toDoubleOrNull() }
-            if (at(TIME) != state.time) return null
-            return FACES.indices.mapNotNull { face ->
-                val position = at(PISTON_POSITION[face]) ?: return@mapNotNull null
-                face to listOf(position, at(PISTON_SPEED[face]) ?: return@mapNotNull null)
-            }.toMap()
-        }
+        val row = RowsOfState.read(path, state, TIME).singleOrNull() ?: return null
+        return FACES.indices.mapNotNull { face ->
+            val position = row[PISTON_POSITION[face]] ?: return@mapNotNull null
+            face to listOf(position, row[PISTON_SPEED[face]] ?: return@mapNotNull null)
+        }.toMap()
     }
 
     private val ofGrowth = setOf(FILLING_FACTOR, REDUCED_PRESSURE)

@@ -1,5 +1,6 @@
 package daphnis.core.scenario
 
+import daphnis.core.CarriedState
 import daphnis.core.FixedTimeStep
 import daphnis.core.FreePathTimeStep
 import daphnis.core.StoppingTimeStep
@@ -63,6 +64,9 @@ public class ScenarioSetup private constructor(
     /** Which impacts break spheres; null for none. */
     public val breakRule: BreakRule?,
 ) {
+    /** What a run of this carries from step to step besides the spheres. */
+    internal val carried: CarriedState = CarriedState(boundary, forces)
+
     /** Angular speed of the frame in radians per unit of time; null without a frame. */
     public val angularSpeed: Double? get() = frequencies?.omega
 

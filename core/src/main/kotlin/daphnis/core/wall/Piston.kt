@@ -1,5 +1,6 @@
 package daphnis.core.wall
 
+import daphnis.core.population.Carried
 import kotlin.math.abs
 
 /**
@@ -28,7 +29,8 @@ public class Piston @JvmOverloads constructor(
     public val force: Double = 0.0,
     position: Double = 0.0,
     speed: Double = 0.0,
-) : WallMotion() {
+) : WallMotion(),
+    Carried {
     init {
         require(mass > 0 && mass.isFinite()) { "mass of a piston is $mass; it must be > 0" }
         require(force.isFinite()) { "force on a piston is $force; it must be finite" }
@@ -77,11 +79,13 @@ public class Piston @JvmOverloads constructor(
         speed += acceleration * duration - impulse / mass
     }
 
-    /** Sets its state. */
-    internal fun put(position: Double, speed: Double) {
-        this.position = position
-        this.speed = speed
-    }
+    /** [position] and [speed]. */
+    override var carried: DoubleArray
+        get() = doubleArrayOf(position, speed)
+        set(value) {
+            position = value[0]
+            speed = value[1]
+        }
 
     override fun toString(): String = "piston of mass $mass under the force $force"
 }

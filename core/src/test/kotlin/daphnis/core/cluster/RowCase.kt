@@ -190,6 +190,14 @@ enum class RowCase(text: String, internal val check: (List<List<String>>) -> Uni
         "velocities": {"type": "gaussian", "sigma": 2.0}, $GAS""",
         { rows -> assertEquals(rows.size - 1, rows.column("piston_speed_upper_z").distinct().size) },
     ),
+    MOONS(
+        RING_UNITS + """"box": {"lengths": [60, 80, 12]}, "boundary": {"type": "hill-sheet", "radiallyOpen": true},
+        "particles": {"opticalDepth": 0.2, "sizes": {"type": "equal", "radius": 1.4826}, "density": 900},
+        "forces": [{"type": "satellite", "massRatio": 1e-20, "x": -40, "y": -10, "softening": 2, "feelsRing": true},
+        {"type": "satellite", "massRatio": 2e-20, "x": 50, "y": 15, "e": 3, "inclination": 2, "feelsRing": true}],
+        "velocities": {"type": "gaussian", "sigma": 0.0004, "shearProfile": true}, $RING_STEPS""",
+        { rows -> assertEquals(rows.size - 1, rows.column("hill_energy").distinct().size) },
+    ),
     ;
 
     /** The scenario in JSON. */

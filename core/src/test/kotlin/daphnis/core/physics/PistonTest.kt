@@ -1,5 +1,6 @@
 package daphnis.core.physics
 
+import daphnis.core.CarriedState
 import daphnis.core.Engines
 import daphnis.core.FixedTimeStep
 import daphnis.core.Output
@@ -256,13 +257,12 @@ class PistonTest {
         val sphere = Population(one, one, one, one, one, one, one, one)
         val pistons = Pistons.of(walls, CollisionRecord(), sphere)!!
         // From rest with the acceleration 1/2: after 3 units of time the walls are 2.75 apart, and the sphere 2 wide.
-        pistons.begin()
         pistons.move(3.0, 3.0)
         assertEquals(2.25, piston.position)
-        pistons.begin()
+        val carried = CarriedState(walls, emptyList()).also { it.begin() }
         val near = assertThrows(IllegalStateException::class.java) { pistons.move(1.0, 4.0) }.message.orEmpty()
         assertTrue("the walls across x are 1.0 apart at time 4.0" in near && "2.0 wide" in near) { near }
-        pistons.takeBack()
+        carried.takeBack()
         assertEquals(listOf(2.25, 1.5), listOf(piston.position, piston.speed))
         val rough = List(6) { if (it == 0) ConstantRoughness(0.5) else null }
         val faces = List(6) { if (it == 0) WallFace(motion = piston) else null }

@@ -234,7 +234,9 @@ class Draw(override val seed: Long) : Case {
     private fun forces(): List<Force> {
         if (boundary !is HillSheet) return driven.forces(boundary, dt) + thermostats()
         if (dt * omega > 1) return emptyList()
-        val moon = Satellite(omega * omega * 10, Epicycle(2 * box.upperX, 0.0, 0.5, 1.0), orbits, softening = 0.5)
+        val orbit = Epicycle(2 * box.upperX, 0.0, 0.5, 1.0)
+        val inertia = if (seed % 2 == 0L) 10.0 else Double.POSITIVE_INFINITY
+        val moon = Satellite(omega * omega * 10, orbit, orbits, softening = 0.5, mass = inertia)
         val frame = HillFrame(orbits)
         return if (seed % 3 == 0L && !isPerturbed) {
             listOf(frame, moon, SelfGravity(boundary, omega * omega / 50))

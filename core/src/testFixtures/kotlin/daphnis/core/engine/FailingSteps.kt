@@ -16,6 +16,7 @@ import daphnis.core.hill.Satellite
 import daphnis.core.hill.SatelliteSurface
 import daphnis.core.initial.RandomPlacement
 import daphnis.core.initial.SeededRandom
+import daphnis.core.orbit.OrbitalFrequencies
 import daphnis.core.population.Population
 import daphnis.core.population.stateDigest
 import daphnis.core.surface.ConstantRestitution
@@ -139,6 +140,8 @@ class FailingSteps(private val case: FailingCase, private val seed: Long, engine
         val sheet = HillSheet(Box.centred(EDGE, EDGE, EDGE), OMEGA)
         val moon = Satellite(4.0, Epicycle(0.0, 0.0, 0.0, 0.0), OMEGA, softening = 0.5)
         val surface = if (case == FailingCase.MOON) SatelliteSurface(Periodic(sheet.box), moon, 1.5) else null
+        // Feels them: what it carries is taken back with a step.
+        val free = Satellite(4.0, Epicycle(EDGE, 0.0, 0.0, 0.0), OrbitalFrequencies(OMEGA), softening = 0.5, mass = 4.0)
         val boundary: BoundaryConditions = when (case) {
             FailingCase.SHEET -> WiredPieces(sheet, wire)
             FailingCase.MOON -> WiredBoundary(surface!!, wire)
@@ -147,7 +150,7 @@ class FailingSteps(private val case: FailingCase, private val seed: Long, engine
         val forces: List<Force> = when (case) {
             FailingCase.SHEET -> {
                 val gravity = WiredForce(SelfGravity(boundary, 0.02), wire)
-                listOf(gravity, WiredSpring(wire), WiredDrift(HillFrame(OMEGA), wire))
+                listOf(gravity, free, WiredSpring(wire), WiredDrift(HillFrame(OMEGA), wire))
             }
             FailingCase.MOON -> listOf(WiredSpring(wire), WiredForce(moon, wire))
             FailingCase.GAS -> emptyList()

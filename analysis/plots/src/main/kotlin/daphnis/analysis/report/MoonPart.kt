@@ -23,8 +23,10 @@ internal class MoonPart private constructor(
     /** Where the moon is along the orbit, at the time of the last state. */
     val y: Double = now(moon).state(orbits)[1]
 
+    /** Where the ring has pulled it, if it feels that and the run says so; else on the orbit it was given. */
     private fun now(moon: Moon): Epicycle {
-        val now = moon.orbit.after(last.time, orbits)
+        val seen = study.input.bodies.find { it.id == -1 }?.orbit(last.time, orbits)
+        val now = seen ?: moon.orbit.after(last.time - moon.epoch, orbits)
         val distance = study.input.scenario?.let { FrameSetup.distance(it, orbits) }
         return if (moon.returns && distance != null) now.onCircle(2 * Math.PI * distance) else now
     }
