@@ -173,6 +173,7 @@ public class SatelliteSpec @JvmOverloads constructor(
             "${say.length(abs(x))} ${if (x < 0) "inside" else "outside"} the middle of the box",
             "e a = ${say.length(e)}",
             "wakes ${say.length(2 * Math.PI * orbits.shearFactor / orbits.radialFactor * abs(x))} long",
+            if (feelsRing) "feels the ring" else null,
             if (inclination > 0) "i a = ${say.length(inclination)}" else null,
             place.distance?.takeIf { returns }?.let { orbitsBetweenPassages(it, orbits) }?.let {
                 // And how many of its wakes go round the planet until then.

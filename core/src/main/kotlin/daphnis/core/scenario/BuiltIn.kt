@@ -13,8 +13,8 @@ public object BuiltIn {
         listOf(
             "paper-figure-1", "paper-figure-2", "paper-figure-3", "elastic-gas", "cooling-gas", "driven-gas",
             "rough-gas", "mixture", "hard-discs", "vibrated-bed", "drum", "shear-cell", "ring-patch",
-            "rough-ring", "perturbed-ring", "satellite-wake", "moonlet", "moonlet-walk",
-            "overstability", "self-gravity-wakes",
+            "rough-ring", "perturbed-ring", "satellite-wake", "shepherds", "moonlet",
+            "moonlet-walk", "overstability", "self-gravity-wakes",
             "crystal", "glass", "square-well", "wet-grains", "accretion",
         )
 

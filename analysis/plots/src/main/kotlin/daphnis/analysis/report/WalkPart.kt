@@ -2,10 +2,7 @@ package daphnis.analysis.report
 
 import daphnis.analysis.moonlet.BodyTable
 import daphnis.analysis.moonlet.RandomWalk
-import daphnis.analysis.plot.Chart
-import daphnis.analysis.plot.Curve
 import daphnis.analysis.statistics.BlockAverage
-import daphnis.analysis.table.UnitNames
 import daphnis.core.run.BodyColumns
 import daphnis.core.table.Column
 import kotlin.math.PI
@@ -13,7 +10,8 @@ import kotlin.math.PI
 /** Where moonlets went, and what pushed them: from `bodies.csv`. */
 internal class WalkPart(private val study: Study) : Part {
     private val units = study.units
-    private val all = study.input.bodies
+    private val all = study.input.bodies.filter { it.id >= 0 }
+    private val charts = OrbitCharts(study, all, "moonlet")
     private val late = all.map { it.from(study.from) }
     private val orbit = study.input.omega?.let { 2 * PI / it } ?: 1.0
     private val walk: RandomWalk? by lazy {
@@ -97,36 +95,14 @@ internal class WalkPart(private val study: Study) : Part {
             page.paragraph("Where moonlets went is not known: bodies.csv was not written (output.bodiesEvery).")
             return
         }
-        chart(page, "moonlet-walk", "change of the semi-major axis", "guiding centres of moonlets over time") { body ->
-            body[BodyColumns.GUIDING_X].let { x -> DoubleArray(x.size) { x[it] - x[0] } }
-        }
-        chart(page, "moonlet-eccentricity", "a·e", "eccentricity of moonlets over time") {
-            it[BodyColumns.ECCENTRICITY]
-        }
+        charts.write(page)
     }
-
-    private fun chart(page: ReportPage, name: String, what: String, alt: String, values: (BodyTable) -> DoubleArray) {
-        val curves = all.take(MOST_CURVES).map { body ->
-            val time = body[BodyColumns.TIME]
-            Curve("body ${body.id}", DoubleArray(time.size) { time[it] / orbit }, values(body))
-        }
-        val label = UnitNames.axis(what, units.length)
-        val figure = Chart.lines(curves, "time [orbits]", label, vertical = study.from / orbit)
-        val left = if (all.size > MOST_CURVES) " The first $MOST_CURVES of ${all.size}." else ""
-        val caption = "${capital(what)} of moonlets over the whole run; dashed: where " +
-            "averages begin.$left"
-        study.draw(page, figure, name, alt, caption)
-    }
-
-    /** A symbol stays as it is: a·e is not A·e. */
-    private fun capital(what: String) = if (what[1].isLetter()) what.replaceFirstChar { it.uppercase() } else what
 
     private companion object {
         /** The least of orbits over which pushes are forgotten: an epicycle is damped, and what passed is gone. */
         const val MEMORY = 2.0
         const val LONGER = "a longer run is needed"
         const val HUNDRED = 100
-        const val MOST_CURVES = 6
         const val ROUNDING = 1e-9
     }
 }

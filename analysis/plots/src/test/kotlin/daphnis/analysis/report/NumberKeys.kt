@@ -87,6 +87,8 @@ internal object NumberKeys {
         "moonlet_walk",
     )
 
+    val SATELLITE = listOf("satellite_force", "satellite_eccentricity", "satellite_drift", "satellite_balance")
+
     private val FLUID = listOf("structure_factor_zero", "contact_value")
     private val ORDER = listOf(
         "bond_order_q4",
@@ -114,8 +116,8 @@ internal object NumberKeys {
 
     private val all =
         listOf(
-            RING, PERTURBED, ROUGH_GAS, SELF_GRAVITY, SHEARED, MOONLET, DIFFUSION, WAVES, FLUID, ORDER, CLUSTERS,
-            single,
+            RING, PERTURBED, ROUGH_GAS, SELF_GRAVITY, SHEARED, MOONLET, SATELLITE, DIFFUSION, WAVES, FLUID, ORDER,
+            CLUSTERS, single,
         ).flatten().toSet()
 
     /** Keys in the first column of the guide's table of numbers. */
