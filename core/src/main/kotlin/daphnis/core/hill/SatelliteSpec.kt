@@ -65,9 +65,10 @@ public class SatelliteSpec @JvmOverloads constructor(
 
     override fun beginningWith(state: List<Double>): ForceSpec {
         val orbit = Epicycle.ofElements(state.toDoubleArray())
+        val node = if (orbit.i == 0.0) 0.0 else orbit.verticalPhase + Math.PI / 2
         return SatelliteSpec(
-            massRatio, mass, orbit.guidingX, orbit.guidingY, orbit.e, orbit.phase, softening, radius, constant, orbit.i,
-            if (orbit.i == 0.0) 0.0 else orbit.verticalPhase + Math.PI / 2, returns, feelsRing, state[Epicycle.ELEMENTS],
+            massRatio, mass, orbit.guidingX, orbit.guidingY, orbit.e, orbit.phase, softening, radius, constant,
+            orbit.i, node, returns, feelsRing, state[Epicycle.ELEMENTS],
         )
     }
 

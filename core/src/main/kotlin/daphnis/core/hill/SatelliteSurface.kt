@@ -17,7 +17,9 @@ public class SatelliteSurface(
 ) : BoundaryConditions by inner {
     init {
         require(radius > 0 && radius.isFinite()) { "radius of the satellite is $radius; it must be > 0" }
-        require(!satellite.isFree) { "a satellite that feels forces has no surface: it would have to take up what falls" }
+        require(!satellite.isFree) {
+            "a satellite that feels forces has no surface: it would have to take up what falls"
+        }
     }
 
     /**

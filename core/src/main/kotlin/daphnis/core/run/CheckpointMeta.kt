@@ -97,8 +97,7 @@ internal class CheckpointMeta(
         /** In the file, where counts stand among the other numbers. */
         val FILED = CountersAtTop(serializer())
 
-        private fun carriers(all: List<Force>) =
-            all.filterIsInstance<Carried>().filter { it.carried.isNotEmpty() }
+        private fun carriers(all: List<Force>) = all.filterIsInstance<Carried>().filter { it.carried.isNotEmpty() }
 
         /** What [all] forces carry, as `forces` has it. */
         fun carried(all: List<Force>): List<List<Double>> = carriers(all).map { it.carried.asList() }

@@ -185,7 +185,11 @@ class NodeRowsTest {
         assertEquals(serial.message, nodes.message)
         val states = listOf("serial", "nodes").map { run ->
             Run.resume(home.resolve(run), engines = Engines).use {
-                listOf(it.resumedFrom, stateDigest(it.simulation.population), CarriedState(it.simulation.boundary, it.simulation.forces).numbers.toList())
+                listOf(
+                    it.resumedFrom,
+                    stateDigest(it.simulation.population),
+                    CarriedState(it.simulation.boundary, it.simulation.forces).numbers.toList(),
+                )
             }
         }
         assertTrue(states[0][0] as Long > after) { "$states" }

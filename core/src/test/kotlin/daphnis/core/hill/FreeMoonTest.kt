@@ -3,13 +3,13 @@ package daphnis.core.hill
 import daphnis.core.FixedTimeStep
 import daphnis.core.Simulation
 import daphnis.core.boundary.Open
-import daphnis.core.surface.ConstantRestitution
 import daphnis.core.engine.CollisionForcing
 import daphnis.core.engine.SerialEngine
 import daphnis.core.force.Force
+import daphnis.core.initial.SeededRandom
 import daphnis.core.orbit.OrbitalFrequencies
 import daphnis.core.population.Population
-import daphnis.core.initial.SeededRandom
+import daphnis.core.surface.ConstantRestitution
 import org.junit.jupiter.api.Assertions.assertArrayEquals
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
@@ -33,7 +33,13 @@ class FreeMoonTest {
         val vy = DoubleArray(count) { -orbits.shearRate * x[it] + 0.02 * random.nextGaussian() }
         fun small() = DoubleArray(count) { 0.02 * random.nextGaussian() }
         return Population(
-            x, near { -20 + (it / 10) * 2.7 }, near { 0.0 }, small(), vy, small(), DoubleArray(count) { 0.15 },
+            x,
+            near { -20 + (it / 10) * 2.7 },
+            near { 0.0 },
+            small(),
+            vy,
+            small(),
+            DoubleArray(count) { 0.15 },
             DoubleArray(count) { 0.01 + 0.001 * (it % 7) },
         )
     }
@@ -56,8 +62,13 @@ class FreeMoonTest {
         val sum = DoubleArray(7)
         fun add(mass: Double, it: Epicycle) {
             val numbers = doubleArrayOf(
-                1.0, it.guidingX, it.guidingY, it.e * cos(it.phase), it.e * sin(it.phase),
-                it.i * cos(it.verticalPhase), it.i * sin(it.verticalPhase),
+                1.0,
+                it.guidingX,
+                it.guidingY,
+                it.e * cos(it.phase),
+                it.e * sin(it.phase),
+                it.i * cos(it.verticalPhase),
+                it.i * sin(it.verticalPhase),
             )
             for (n in sum.indices) sum[n] += mass * numbers[n]
         }
@@ -78,7 +89,9 @@ class FreeMoonTest {
         repeat(1500) { simulation.advance() }
         val t = simulation.time
         val end = centre(p, moons, t)
-        assertTrue(simulation.collisions!!.counters.collisions > 100) { "${simulation.collisions!!.counters.collisions}" }
+        assertTrue(simulation.collisions!!.counters.collisions > 100) {
+            "${simulation.collisions!!.counters.collisions}"
+        }
         for ((k, moon) in moons.withIndex()) assertTrue(abs(moon.orbit.guidingX - x[k]) > 1e-3) { "${moon.orbit}" }
         assertEquals(start[1], end[1], 1e-12 * start[0], "Σ m X")
         assertEquals(start[2] - orbits.shearRate * start[1] * t, end[2], 1e-10 * start[0], "Σ m Y")
@@ -101,7 +114,9 @@ class FreeMoonTest {
             while (simulation.time < 12) simulation.advance()
             energy()
         }
-        assertTrue(simulation.collisions!!.counters.collisions > 30) { "${simulation.collisions!!.counters.collisions}" }
+        assertTrue(simulation.collisions!!.counters.collisions > 30) {
+            "${simulation.collisions!!.counters.collisions}"
+        }
         return (end - start) / moons.sumOf { abs(it.energy) }
     }
 
@@ -126,8 +141,14 @@ class FreeMoonTest {
         val far = 4000.0
         val y = DoubleArray(n) { far + (it - (n - 1) / 2.0) * 3 * PI * b / n }
         val p = Population(
-            DoubleArray(n) { b }, y, DoubleArray(n), DoubleArray(n), DoubleArray(n) { -1.5 * b }, DoubleArray(n),
-            DoubleArray(n) { 1e-3 }, DoubleArray(n) { mass },
+            DoubleArray(n) { b },
+            y,
+            DoubleArray(n),
+            DoubleArray(n),
+            DoubleArray(n) { -1.5 * b },
+            DoubleArray(n),
+            DoubleArray(n) { 1e-3 },
+            DoubleArray(n) { mass },
         )
         val moon = Satellite(3.0, Epicycle(0.0, 0.0, 0.0, 0.0), kepler, mass = 30.0)
         val simulation = Simulation(p, Open, null, FixedTimeStep(0.01), listOf(moon, HillFrame(kepler)))

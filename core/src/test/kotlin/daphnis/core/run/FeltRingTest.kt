@@ -30,8 +30,7 @@ class FeltRingTest {
 
     private fun rows(run: String, file: String) = Files.readAllLines(home.resolve("$run/$file"))
 
-    private fun moons(run: Run) =
-        run.simulation.forces.filterIsInstance<Satellite>().map { it.carried }.toTypedArray()
+    private fun moons(run: Run) = run.simulation.forces.filterIsInstance<Satellite>().map { it.carried }.toTypedArray()
 
     @Test
     fun `a run that was cancelled goes on with its moons where they were`() {

@@ -11,7 +11,7 @@ internal class MoonletSection(study: Study) : Section {
 
     override val heading = "Moonlets"
     override val over = "Around the first: ${study.overAverages.replaceFirstChar { it.lowercase() }}" +
-        if (study.input.bodies.none { it.id >= 0 }) "" else " Orbits: rows of bodies.csv from time ${study.time(study.from)} on."
+        if (walk.isKnown) " Orbits: rows of bodies.csv from time ${study.time(study.from)} on." else ""
     override val applies = isRing
     override val leftOut = if (body == null) "no body is left in the last state" else null
 

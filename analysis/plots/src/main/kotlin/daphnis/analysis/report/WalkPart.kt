@@ -11,6 +11,9 @@ import kotlin.math.PI
 internal class WalkPart(private val study: Study) : Part {
     private val units = study.units
     private val all = study.input.bodies.filter { it.id >= 0 }
+
+    /** Whether there are rows. */
+    val isKnown: Boolean = all.isNotEmpty()
     private val charts = OrbitCharts(study, all, "moonlet")
     private val late = all.map { it.from(study.from) }
     private val orbit = study.input.omega?.let { 2 * PI / it } ?: 1.0
@@ -91,7 +94,7 @@ internal class WalkPart(private val study: Study) : Part {
     }
 
     override fun write(page: ReportPage) {
-        if (all.isEmpty()) {
+        if (!isKnown) {
             page.paragraph("Where moonlets went is not known: bodies.csv was not written (output.bodiesEvery).")
             return
         }
