@@ -13,6 +13,7 @@ import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import java.nio.file.Files
 import java.nio.file.Path
+import kotlin.math.abs
 
 /** Runs in which satellites feel the ring: where they are goes on with a run, and from its states. */
 class FeltRingTest {
@@ -84,6 +85,21 @@ class FeltRingTest {
         Run.start(scenario("forces[1].x=51"), "test", home.resolve("y"), engines = Engines, from = moved).use { run ->
             assertTrue(run.notices.any { "forces[1] goes on from where it is" in it }) { "${run.notices}" }
         }
+    }
+
+    @Test
+    fun `energy in the series has that of moons, and is constant where nothing collides or passes a face`() {
+        val thin = arrayOf("box.lengths=[60,2000,12]", "particles.opticalDepth=0.001", "untilOrbits=0.2")
+        val moons = start("thin", *thin).use { run ->
+            fun energy() = run.simulation.forces.filterIsInstance<Satellite>().sumOf { it.energy }
+            val before = energy()
+            run.execute()
+            energy() - before
+        }
+        val rows = rows("thin", "series.csv").map { it.split(',') }
+        val hill = rows[0].indexOfFirst { it.startsWith("hill_energy") }
+        val change = rows.last()[hill].toDouble() - rows[1][hill].toDouble()
+        assertTrue(abs(change) < 0.02 * abs(moons)) { "$change, and $moons of the moons" }
     }
 
     @Test
