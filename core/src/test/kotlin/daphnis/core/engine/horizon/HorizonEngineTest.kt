@@ -453,12 +453,12 @@ class HorizonEngineTest {
         engine.close()
     }
 
-    @Test
-    fun `where spheres fly on curved paths, the layout is found with which they keep to their lines`() {
+    /** 400 spheres a few radii apart in a sheet with a [perturbation], by the serial engine and by one on epochs. */
+    private fun onCurvedPaths(perturbation: Double, steps: Int): HorizonEngine {
         val random = SeededRandom(5)
         val n = 400
         fun gauss() = DoubleArray(n) { 0.05 * random.nextGaussian() }
-        val sheet = HillSheet(Box.centred(80.0, 80.0, 20.0), 1.0)
+        val sheet = HillSheet(Box.centred(80.0 / (1 - perturbation), 80.0, 20.0), 1.0, perturbation = perturbation)
         val x = DoubleArray(n) { 4.0 * (it % 20) - 38 }
         val start = Population(
             x,
@@ -477,14 +477,25 @@ class HorizonEngineTest {
         }
         val serial = simulation(SerialEngine())
         val horizon = simulation(engine)
-        for (step in 1..300) {
+        for (step in 1..steps) {
             serial.advance()
             horizon.advance()
             assertSameStep(serial, horizon, "step $step")
         }
+        return engine
+    }
+
+    @Test
+    fun `where spheres fly on curved paths, the layout is found with which they keep to their lines`() {
+        val engine = onCurvedPaths(0.0, 300)
         assertTrue(engine.epochSteps > 200) { "${engine.epochSteps} steps" }
         assertTrue(engine.epochs < 150) { "${engine.epochs} epochs" }
         assertTrue(engine.strays > 0)
+    }
+
+    @Test
+    fun `where images come nearer no step is taken in an epoch`() {
+        assertEquals(0L, onCurvedPaths(0.3, 60).epochSteps)
     }
 
     @Test
