@@ -31,6 +31,7 @@ import daphnis.core.population.Population
 import daphnis.core.potential.PairInteractions
 import daphnis.core.surface.ContactLaw
 import daphnis.core.surface.Roughness
+import daphnis.core.swap.SwapRule
 import kotlin.math.sqrt
 
 /**
@@ -62,6 +63,8 @@ public class ScenarioSetup private constructor(
     public val mergeRule: MergeRule?,
     /** Which impacts break spheres; null for none. */
     public val breakRule: BreakRule?,
+    /** How spheres swap places; null for spheres that do not. */
+    public val swapRule: SwapRule?,
 ) {
     /** Angular speed of the frame in radians per unit of time; null without a frame. */
     public val angularSpeed: Double? get() = frequencies?.omega
@@ -95,7 +98,7 @@ public class ScenarioSetup private constructor(
         val records = recordCollisions || !boundary.walls.areKnownAhead
         return CollisionForcing(
             law, guard, engine, records, scenario.search, roughness, momentFactor, interactions, mergeRule,
-            breakRule,
+            breakRule, swapRule,
         )
     }
 
@@ -185,6 +188,7 @@ public class ScenarioSetup private constructor(
             val timeStep = timeStepSpec.timeStep(resolved, boundary, GrowthSetup(scenario, check).longest(), check)
             val first = timeStep.next(population)
             checkSteps(resolved, first, check)
+            scenario.swaps?.checkDraws("swaps", population.size, first, around.end, check)
             if (state == null) GrowthSetup(scenario, check).checkStart(population, around.box, first, around.end)
             val then = boundary.at(scenario.startTime)
             val startCheck =
@@ -199,7 +203,7 @@ public class ScenarioSetup private constructor(
                 resolved, population, boundary, laws.restitution, guard,
                 forceSetup.forces + listOfNotNull(laws.interactions?.let { PairEnergy(PairStates(it)) }), timeStep,
                 around.frequencies, initial.notices, laws.roughness, forceSetup.places,
-                laws.interactions, laws.mergeRule, laws.breakRule,
+                laws.interactions, laws.mergeRule, laws.breakRule, laws.swapRule,
             )
         }
 

@@ -51,7 +51,7 @@ internal class DiffusionSection(private val study: Study) : Section {
         else -> null
     }
     private val velocities =
-        VelocityPart(study, if (trajectories == null || omega != null) emptyList() else axes(last, study.last.boundary))
+        VelocityPart(study, if (trajectories == null || !areFollowed()) emptyList() else axes(last, study.last.boundary))
     private val places = if (trajectories == null) emptySet() else chosen.toSet()
     private val moving = velocities.followed.toSet()
     override val followed = (places + moving).sorted()
@@ -64,6 +64,9 @@ internal class DiffusionSection(private val study: Study) : Section {
         if (snapshot.image == null) trajectories = null
         trajectories?.add(snapshot)
     }
+
+    /** Whether velocities stay with the ids of particles, and turn about nothing. */
+    private fun areFollowed() = omega == null && study.physics?.swaps == null
 
     private fun isExpected() = !PerturbedSheet.isSeen(study.last) &&
         chosen.size >= MeanSquareDisplacement.FEWEST_TIMES &&
