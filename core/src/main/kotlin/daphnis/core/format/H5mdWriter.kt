@@ -203,5 +203,8 @@ internal class H5mdWriter(
         fun of(quantity: SphereQuantity): String = quantity.dimension.symbols(length, time, mass)
     }
 
-    private fun optional(state: Snapshot) = (H5md.CHANGING + SphereQuantity.MATERIAL).filter { it.isOptional && it in state.quantities }
+    private fun optional(state: Snapshot) = (H5md.CHANGING + SphereQuantity.MATERIAL).filter {
+        it.isOptional &&
+            it in state.quantities
+    }
 }

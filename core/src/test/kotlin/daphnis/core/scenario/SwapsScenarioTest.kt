@@ -73,7 +73,10 @@ class SwapsScenarioTest {
         assertEquals(0, none.swapAttempts)
         assertTrue(none.stateDigest != swapped.stateDigest)
         val setup = ScenarioSetup.of(scenario(*flat), "test")
-        assertEquals(stateDigest(setup.population), stateDigest(ScenarioSetup.of(scenario(*flat, "swaps=null"), "test").population))
+        assertEquals(
+            stateDigest(setup.population),
+            stateDigest(ScenarioSetup.of(scenario(*flat, "swaps=null"), "test").population),
+        )
     }
 
     @Test
@@ -86,14 +89,19 @@ class SwapsScenarioTest {
             "until=1e13" to "swaps.rate: is 40.0; draws more than",
             "swaps={}" to "swaps",
             "swaps.seed=3" to "swaps.seed",
-            "bodies=[{\"radius\": 1, \"position\": [0, 0, 0], \"density\": 1, \"material\": \"a\"}]" to "swaps: need spheres without bodies",
+            "bodies=[{\"radius\": 1, \"position\": [0, 0, 0], \"density\": 1, \"material\": \"a\"}]" to
+                "swaps: need spheres without bodies",
             "bonds={\"length\": 2, \"greatest\": 1.2}" to "swaps: need spheres without interaction and bonds",
-            "interaction={\"type\": \"square-well\", \"ratio\": 1.2, \"depth\": 1}" to "swaps: need spheres without inter",
+            "interaction={\"type\": \"square-well\", \"ratio\": 1.2, \"depth\": 1}" to
+                "swaps: need spheres without inter",
             "merging={\"type\": \"always\"}" to "swaps: need spheres that neither merge nor break",
-            "breaking={\"speed\": 2, \"pieces\": 3, \"spread\": 0.3, \"smallest\": 0.2}" to "swaps: need spheres that ne",
-            "forces=[{\"type\": \"uniform-acceleration\", \"acceleration\": [0, 0, -1]}]" to "swaps: need spheres on which no force",
+            "breaking={\"speed\": 2, \"pieces\": 3, \"spread\": 0.3, \"smallest\": 0.2}" to
+                "swaps: need spheres that ne",
+            "forces=[{\"type\": \"uniform-acceleration\", \"acceleration\": [0, 0, -1]}]" to
+                "swaps: need spheres on which no force",
             "boundary={\"type\": \"lees-edwards\", \"shearRate\": 0.1}" to "swaps: need a boundary without shear",
-            "frame={\"type\": \"hill\", \"angularSpeed\": 1}|boundary={\"type\": \"open\"}" to "swaps: need a frame that does not turn",
+            "frame={\"type\": \"hill\", \"angularSpeed\": 1}|boundary={\"type\": \"open\"}" to
+                "swaps: need a frame that does not turn",
         )) {
             val settings = setting.split('|').toTypedArray()
             val e = assertThrows(InputException::class.java, { ScenarioSetup.of(scenario(*settings), "test") }, setting)

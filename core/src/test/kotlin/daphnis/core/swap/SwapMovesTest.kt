@@ -56,7 +56,10 @@ class SwapMovesTest {
         assertEquals(places(before), places(population))
         val (sums, then) = Conserved.of(population) to Conserved.of(before)
         assertEquals(then.mass to then.kineticEnergy, sums.mass to sums.kineticEnergy)
-        assertEquals(listOf(then.momentumX, then.momentumY, then.momentumZ), listOf(sums.momentumX, sums.momentumY, sums.momentumZ))
+        assertEquals(
+            listOf(then.momentumX, then.momentumY, then.momentumZ),
+            listOf(sums.momentumX, sums.momentumY, sums.momentumZ),
+        )
         assertEquals(0.0, Overlap.deepest(population, boundary, 0.0).depth)
     }
 
@@ -64,8 +67,14 @@ class SwapMovesTest {
     fun `equal spheres that differ in mass or material swap too, and alike ones do not`() {
         fun count(mass: Double, material: Int): CollisionCounters {
             val p = Population(
-                doubleArrayOf(-1.0, 1.0), DoubleArray(2), DoubleArray(2), doubleArrayOf(0.3, -0.4), DoubleArray(2), DoubleArray(2),
-                doubleArrayOf(0.5, 0.5), doubleArrayOf(1.0, mass),
+                doubleArrayOf(-1.0, 1.0),
+                DoubleArray(2),
+                DoubleArray(2),
+                doubleArrayOf(0.3, -0.4),
+                DoubleArray(2),
+                DoubleArray(2),
+                doubleArrayOf(0.5, 0.5),
+                doubleArrayOf(1.0, mass),
             ).withMaterial(intArrayOf(0, material), listOf("a", "b"))
             return CollisionCounters().also {
                 SwapMoves(SwapRule(10.0)).carryOut(p, boundary, Partition.Whole, 0.0, 10.0, it)
@@ -113,7 +122,11 @@ class SwapMovesTest {
             val before = torn.population.copy()
             val counted = torn.collisions!!.counters.swaps
             assertThrows(IllegalStateException::class.java) { torn.advance() }
-            for (place in 0..11) assertArrayEquals(before.column(place), torn.population.column(place)) { "column $place" }
+            for (place in 0..11) {
+                assertArrayEquals(before.column(place), torn.population.column(place)) {
+                    "column $place"
+                }
+            }
             assertEquals(counted, torn.collisions!!.counters.swaps)
             torn.advance()
         }

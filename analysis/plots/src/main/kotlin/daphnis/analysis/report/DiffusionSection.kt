@@ -53,7 +53,16 @@ internal class DiffusionSection(private val study: Study) : Section {
         else -> null
     }
     private val velocities =
-        VelocityPart(study, if (trajectories == null || !areFollowed()) emptyList() else axes(last, study.last.boundary))
+        VelocityPart(
+            study,
+            if (trajectories == null ||
+                !areFollowed()
+            ) {
+                emptyList()
+            } else {
+                axes(last, study.last.boundary)
+            },
+        )
     private val places = if (trajectories == null) emptySet() else chosen.toSet()
     private val moving = velocities.followed.toSet()
     override val followed = (places + moving).sorted()
