@@ -27,7 +27,7 @@ public interface Partition {
      * The columns at [places], which spheres have, and ids of the spheres of all nodes, without anything else: those of
      * [population] come first, in its order. Valid until the population changes.
      */
-    public fun everyone(population: Population, places: IntArray = MASSES): SphereColumns
+    public fun everyone(population: Population, places: IntArray): SphereColumns
 
     public companion object {
         /** [Whole], for Java. */

@@ -41,11 +41,8 @@ public class SwapsSpec(public val rate: Double) {
         return "${say.rate(rate)} per sphere; ${Quantities.number(draws)} pairs of $spheres spheres drawn in a step, " +
             "one thread"
     }
-
-    private companion object {
-        const val MOST_IN_STEP = 1000.0
-
-        /** 2⁵³. */
-        const val MOST_IN_ALL = 9.007199254740992e15
-    }
 }
+
+/** Pairs drawn per sphere in a step, and in a whole run, which is 2⁵³. */
+private const val MOST_IN_STEP = 1000.0
+private const val MOST_IN_ALL = 9.007199254740992e15
