@@ -122,7 +122,6 @@ class SwapMovesTest {
     fun `a step that fails after swaps is taken back with them, and done again to the same bits`() {
         val whole = simulation(SerialEngine())
         var failures = 0
-        // Epochs keep the order of spheres, and with it the columns that steps do not change.
         val torn = simulation(HorizonEngine(FixedPool(1), 0, HorizonTuning(3))) { it.step > 0 && failures++ % 2 == 0 }
         repeat(20) {
             whole.advance()
@@ -142,6 +141,20 @@ class SwapMovesTest {
         assertEquals(whole.collisions!!.counters.swaps, torn.collisions!!.counters.swaps)
         assertNotEquals(bodies(gas()).map { it[3] }, bodies(torn.population).map { it[3] })
         assertTrue(whole.collisions!!.counters.swaps > 100)
+    }
+
+    @Test
+    fun `in a step that keeps the order, what steps do not change is taken back too`() {
+        val population = gas()
+        val before = population.copy()
+        population.beginStep()
+        population.drift(0.0)
+        val counters = CollisionCounters()
+        SwapMoves(SwapRule(5.0)).carryOut(population, boundary, Partition.Whole, 0.0, 1.0, counters)
+        assertTrue(counters.swaps > 100)
+        assertNotEquals(bodies(before), bodies(population))
+        population.takeStepBack()
+        for (place in 0..11) assertArrayEquals(before.column(place), population.column(place)) { "column $place" }
     }
 
     @Test
