@@ -163,7 +163,9 @@ private fun report(summary: Summary, times: TimesInWords, units: UnitsOfDimensio
     val edges = if (summary.edgeEvents > 0) ", ${counted(summary.edgeEvents, "event")} at edges" else ""
     val mergers = if (summary.mergers > 0) ", ${counted(summary.mergers, "merger")}" else ""
     val broken = if (summary.broken > 0) ", ${counted(summary.broken, "broken sphere")}" else ""
-    val collisions = counted(summary.collisions, "collision") + mergers + broken + edges
+    val tried = summary.swapAttempts
+    val swaps = if (tried > 0) ", ${counted(summary.swaps, "swap")} of $tried tried" else ""
+    val collisions = counted(summary.collisions, "collision") + mergers + broken + edges + swaps
     say("%s to time %s in %.1f s, %s", counted(summary.steps, "step"), end, summary.wallSeconds, collisions)
     val ofSpeeds = named(units, Dimension.SPEED_SQUARED)
     val ofEnergy = named(units, Dimension.ENERGY).ifEmpty { "in the scenario's units" }

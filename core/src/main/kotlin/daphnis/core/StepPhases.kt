@@ -18,7 +18,7 @@ import java.util.function.Supplier
 
 /**
  * The phases of a step, for the code which drives it: [begin] · [duration] · [kick] · [drift] · [applyBoundary] ·
- * [kickAgain] · [checkFinite] · [commit]. A [Simulation] calls them one after the other; where nodes hold the spheres,
+ * [kickAgain] · [swap] · [checkFinite] · [commit]. A [Simulation] calls them one after the other; where nodes hold the spheres,
  * each node does so on its part of the population. Until [commit], all phases together can be taken back. One thread
  * calls; [loop] may use more.
  *
@@ -129,6 +129,11 @@ public class StepPhases internal constructor(
     public fun kickAgain(end: Double, duration: Double) {
         pistons?.move(duration, end)
         for (k in forces.indices.reversed()) forces[k].afterDrift(population, end, duration)
+    }
+
+    /** Spheres swap places at the [end] of a step that began at [start]. */
+    public fun swap(start: Double, end: Double) {
+        collisions?.swap(population, boundary, partition, start, end)
     }
 
     /** @throws IllegalStateException when the state is not finite; its message says [at] which step and time */

@@ -69,6 +69,9 @@ public class Trajectories(public val coordinates: List<Coordinate>, private val 
     private val times = ArrayList<Double>()
     private val rows = ArrayList<Array<DoubleArray>>()
 
+    /** Masses in the first state: where spheres swap places, a centre of those of each state would jump. */
+    private var weights: DoubleArray? = null
+
     /** By coordinate: places in the last state, its edge, and what changes of the edge have moved since the first. */
     private val places = arrayOfNulls<DoubleArray>(coordinates.size)
     private val edges = DoubleArray(coordinates.size)
@@ -107,14 +110,14 @@ public class Trajectories(public val coordinates: List<Coordinate>, private val 
             indices[k] = java.util.Arrays.binarySearch(snapshot.id, ids[k])
             require(indices[k] >= 0) { "particle ${ids[k]} is missing at time ${snapshot.time}" }
         }
-        var mass = 0.0
-        for (k in indices) mass += snapshot.mass[k]
+        val weights = weights ?: DoubleArray(ids.size) { snapshot.mass[indices[it]] }.also { weights = it }
+        val mass = weights.sum()
         times += snapshot.time
         rows += Array(coordinates.size) { c ->
             val values = DoubleArray(indices.size) { coordinates[c].of(snapshot, indices[it]) }
             withoutBox(c, snapshot, values)
             var centre = 0.0
-            for (k in indices.indices) centre += snapshot.mass[indices[k]] * values[k]
+            for (k in indices.indices) centre += weights[k] * values[k]
             for (k in values.indices) values[k] -= centre / mass
             values
         }

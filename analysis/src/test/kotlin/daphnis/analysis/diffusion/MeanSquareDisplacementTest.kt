@@ -247,4 +247,20 @@ class MeanSquareDisplacementTest {
         assertTrue("must ascend" in problem { once.add(state) })
         assertTrue("no particle" in problem { Trajectories(positions, IntArray(0)) })
     }
+
+    @Test
+    fun `spheres that swap what they are but not their places have not moved`() {
+        val random = SeededRandom(8)
+        val p = Walkers.population(20)
+        for (axis in 0..2) for (k in 0 until 20) p.position(axis)[k] = random.nextDouble(-2.0, 2.0)
+        for (k in 0 until 20) p.mass[k] = 1.0 + k
+        val trajectories = Trajectories(List(3) { Coordinate.Position(it) }, IntArray(20) { it })
+        for (t in 0L..20L) {
+            trajectories.add(Snapshot.of(p, Walkers.BOUNDARY, t, t.toDouble()))
+            val (a, b) = random.nextInt(20) to random.nextInt(20)
+            p.mass[a] = p.mass[b].also { p.mass[b] = p.mass[a] }
+        }
+        val found = MeanSquareDisplacement(trajectories)
+        for (axis in 0..2) assertEquals(0.0, found.mean(axis).max())
+    }
 }

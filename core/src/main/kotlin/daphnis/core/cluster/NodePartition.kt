@@ -40,34 +40,33 @@ internal class NodePartition(private val turns: Turns) : Partition {
         return all
     }
 
-    override fun everyone(population: Population): SphereColumns {
+    override fun everyone(population: Population, places: IntArray): SphereColumns {
         if (turns.size == 1) return population
         val heard = ArrayList<ByteBuffer>()
-        turns.tell({ writeMasses(population) }) { _, message -> heard += message }
+        turns.tell({ writeColumns(population, places) }) { _, message -> heard += message }
         val size = population.size + heard.sumOf { it.getInt(it.position()) }
-        val columns = Array(SphereQuantity.WIDTH) { if (it in MASSES) DoubleArray(size) else SphereQuantity.NONE }
+        val columns = Array(SphereQuantity.WIDTH) { if (it in places) DoubleArray(size) else SphereQuantity.NONE }
         val ids = IntArray(size)
-        for (place in MASSES) population.column(place).copyInto(columns[place], 0, 0, population.size)
+        for (place in places) population.column(place).copyInto(columns[place], 0, 0, population.size)
         population.id.copyInto(ids, 0, 0, population.size)
         var at = population.size
         for (message in heard) {
             val count = message.int
-            for (place in MASSES) message.doubles(count, columns[place], at)
+            for (place in places) message.doubles(count, columns[place], at)
             message.ints(count, ids, at)
             at += count
         }
         return PopulationColumns(columns, ids)
     }
 
-    private fun MessageWriter.writeMasses(population: Population) {
-        room(HEAD + population.size.toLong() * (MASSES.size * Double.SIZE_BYTES + Int.SIZE_BYTES))
+    private fun MessageWriter.writeColumns(population: Population, places: IntArray) {
+        room(HEAD + population.size.toLong() * (places.size * Double.SIZE_BYTES + Int.SIZE_BYTES))
         int(population.size)
-        for (place in MASSES) doubles(population.column(place), 0, population.size)
+        for (place in places) doubles(population.column(place), 0, population.size)
         ints(population.id, 0, population.size)
     }
 
     private companion object {
-        val MASSES = SphereQuantity.POSITION.places.toList() + SphereQuantity.MASS.places
         const val HEAD = Int.SIZE_BYTES
     }
 }

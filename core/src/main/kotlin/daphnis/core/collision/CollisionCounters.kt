@@ -1,7 +1,7 @@
 package daphnis.core.collision
 
 /**
- * What an engine has counted since the start of the run. The first six numbers belong to the trajectory and are the
+ * What an engine has counted since the start of the run. The first eight numbers belong to the trajectory and are the
  * same for every engine. The rest tell how the engine worked.
  */
 public class CollisionCounters {
@@ -49,11 +49,25 @@ public class CollisionCounters {
             counts[5] = value
         }
 
-    /** Steps restored and redone because a sphere went farther than the bound on its reach. */
-    public var redoneSteps: Long
+    /** Pairs of unlike spheres that were drawn to swap their places. */
+    public var swapAttempts: Long
         get() = counts[6]
         set(value) {
             counts[6] = value
+        }
+
+    /** Those that had room to. */
+    public var swaps: Long
+        get() = counts[7]
+        set(value) {
+            counts[7] = value
+        }
+
+    /** Steps restored and redone because a sphere went farther than the bound on its reach. */
+    public var redoneSteps: Long
+        get() = counts[8]
+        set(value) {
+            counts[8] = value
         }
 
     /**
@@ -63,9 +77,9 @@ public class CollisionCounters {
      * throws, and is not counted.
      */
     public var causalityReplays: Long
-        get() = counts[7]
+        get() = counts[9]
         set(value) {
-            counts[7] = value
+            counts[9] = value
         }
 
     internal operator fun get(counter: Counter): Long = counts[counter.ordinal]
@@ -114,6 +128,8 @@ internal enum class Counter(val key: String, val isOfTrajectory: Boolean, val is
     EDGE_EVENTS("edgeEvents", true, isNew = true),
     MERGERS("mergers", true, isNew = true),
     BROKEN("broken", true, isNew = true),
+    SWAP_ATTEMPTS("swapAttempts", true, isNew = true),
+    SWAPS("swaps", true, isNew = true),
     REDONE_STEPS("redoneSteps", false),
     CAUSALITY_REPLAYS("causalityReplays", false),
 }

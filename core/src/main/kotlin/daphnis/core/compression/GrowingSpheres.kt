@@ -156,7 +156,7 @@ public class GrowingSpheres @JvmOverloads constructor(
         val rateBefore = gamma
         gamma = 0.0
         scale = 1.0
-        population.sets.separateRadii()
+        population.sets.separateFixed()
         val radius = population.radius
         loop.runLight(population.size) { _, first, last ->
             for (k in first until last) radius[k] *= by

@@ -24,6 +24,8 @@ import daphnis.core.surface.ContactLaw
 import daphnis.core.surface.Restitution
 import daphnis.core.surface.Roughness
 import daphnis.core.surface.SurfaceContact
+import daphnis.core.swap.SwapMoves
+import daphnis.core.swap.SwapRule
 
 /**
  * The collisional forcing: moves the population through a step with every collision in time order.
@@ -37,6 +39,7 @@ import daphnis.core.surface.SurfaceContact
  * @param interactions what spheres do to one another besides impacts; null for nothing
  * @param mergeRule which impacts merge two spheres; null for none
  * @param breakRule which impacts break spheres; null for none
+ * @param swapRule how spheres swap places; null for spheres that do not
  */
 public class CollisionForcing @JvmOverloads constructor(
     law: ContactLaw,
@@ -49,6 +52,7 @@ public class CollisionForcing @JvmOverloads constructor(
     interactions: PairInteractions? = null,
     mergeRule: MergeRule? = null,
     breakRule: BreakRule? = null,
+    swapRule: SwapRule? = null,
 ) : AutoCloseable {
     private var collisionLaw = CollisionLaw(
         law,
@@ -60,7 +64,12 @@ public class CollisionForcing @JvmOverloads constructor(
         breakRule = breakRule,
     )
     private val pieces = breakRule?.let { Pieces(it) }
+    private val swaps = swapRule?.let { SwapMoves(it) }
     private var step: CollisionStep? = null
+
+    init {
+        require(swaps == null || collisionLaw.isPlain) { "spheres swap places; they can only meet then" }
+    }
 
     /** See [daphnis.core.force.Drift.turning]; to be set before the first step. */
     internal var turning = 0.0
@@ -146,6 +155,17 @@ public class CollisionForcing @JvmOverloads constructor(
         if (pieces != null) counters.broken += pieces.scatter(population, partition, start)
     }
 
+    /** Swaps places of the spheres of [population], and of those of [partition], in the step from [start] to [end]. */
+    internal fun swap(
+        population: Population,
+        boundary: BoundaryConditions,
+        partition: Partition,
+        start: Double,
+        end: Double,
+    ) {
+        swaps?.carryOut(population, boundary, partition, start, end, counters)
+    }
+
     /** See [CollisionLaw.isPlain]. */
     internal val isPlain: Boolean get() = collisionLaw.isPlain
 
@@ -180,6 +200,7 @@ public class CollisionForcing @JvmOverloads constructor(
             "spheres or walls are rough, and the population has no angular velocities; give them, such as 0 for all"
         }
         collisionLaw.requireIn(boundary.space)
+        require(swaps == null || boundary.meanFlow == null) { "spheres swap places; they cannot in a mean flow" }
         require(pieces == null || !population.hasSpin) { "spheres break and have spins; pieces would not keep them" }
         bind(population, boundary, time)
         return CollisionStep(population, boundary, collisionLaw, counters, search)

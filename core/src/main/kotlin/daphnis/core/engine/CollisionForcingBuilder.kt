@@ -9,6 +9,7 @@ import daphnis.core.search.SearchStructure
 import daphnis.core.surface.ContactLaw
 import daphnis.core.surface.Roughness
 import daphnis.core.surface.SurfaceContact
+import daphnis.core.swap.SwapRule
 
 /**
  * The parts of a [CollisionForcing] by their names, from [CollisionForcing.builder]. A part that is given again
@@ -31,6 +32,7 @@ public class CollisionForcingBuilder internal constructor(private val law: Conta
     private var interactions: PairInteractions? = null
     private var merging: MergeRule? = null
     private var breaking: BreakRule? = null
+    private var swaps: SwapRule? = null
 
     /** What ends inelastic collapse; nothing unless given. */
     public fun guard(guard: CollapseGuard): CollisionForcingBuilder = apply { this.guard = guard }
@@ -73,9 +75,12 @@ public class CollisionForcingBuilder internal constructor(private val law: Conta
     /** Which impacts break spheres; none unless given. */
     public fun breaking(rule: BreakRule): CollisionForcingBuilder = apply { breaking = rule }
 
+    /** How spheres swap places; they do not unless given. */
+    public fun swaps(rule: SwapRule): CollisionForcingBuilder = apply { swaps = rule }
+
     /** The forcing; it is closed with the simulation. */
     public fun build(): CollisionForcing = CollisionForcing(
         law, guard, makeEngine(), recordCollisions, search, roughness, momentFactor, interactions, merging,
-        breaking,
+        breaking, swaps,
     )
 }

@@ -109,7 +109,7 @@ public class MeshGravity @JvmOverloads constructor(
         last.begin(population.size)
         isMeasured = false
         makeRoom(population.size)
-        val all = partition.everyone(population)
+        val all = partition.everyone(population, Partition.MASSES)
         own = population.size
         if (all.size > 0) {
             val mesh = meshFor(all)

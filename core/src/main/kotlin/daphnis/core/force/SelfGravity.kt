@@ -98,7 +98,7 @@ public class SelfGravity @JvmOverloads constructor(
             // Assigned last, as in Accelerations.
             potential = DoubleArray(population.size)
         }
-        tree.build(partition.everyone(population))
+        tree.build(partition.everyone(population, Partition.MASSES))
         periodicImages.prepare(boundary, time)
         cut.choose(periodicImages)
         if (walks.size < loop.workers) walks = Array(loop.workers) { GravityWalk(tree, openingAngle, softening, cut) }

@@ -9,9 +9,9 @@ import java.nio.file.Path
 
 /**
  * H5MD 1.1 (de Buyl, Colberg & Höfling 2014, Comput. Phys. Commun. 185, 1546): HDF5 that h5py, MDAnalysis and ParaView
- * read. One particle group `all`: position, velocity and image as `{step, time, value[T][N][3]}`; id, mass and radius
- * as plain datasets, or as `{step, time, value[T][N]}` where they change; radius is our addition. Species are there
- * where there are materials, whose names are the attribute `materials` of the group `parameters`; `box/edges` of a box
+ * read. One particle group `all`: position, velocity and image as `{step, time, value[T][N][3]}`; id, mass, radius
+ * and species as plain datasets, or as `{step, time, value[T][N]}` where they change; radius is our addition. Species are
+ * there where there are materials, whose names are the attribute `materials` of the group `parameters`; `box/edges` of a box
  * centred on the origin. Units are the scenario's and have no names, or are SI with H5MD's module `units`. The attribute
  * `crc32c` of the group `parameters` is a checksum over everything that is read ([H5mdChecksum]).
  */

@@ -17,6 +17,7 @@ internal class H5mdChecksum(first: Snapshot) {
     private val size = first.size
     private val bound = first.bound
     private val fixed = H5md.FIXED.flatMap { first.columns(it) }
+    private val species = first.material
     private val plain = Sum()
 
     /** The sum with images; null from the first state on that does not know them. */
@@ -52,6 +53,7 @@ internal class H5mdChecksum(first: Snapshot) {
         for ((k, column) in H5md.FIXED.flatMap { state.columns(it) }.withIndex()) {
             if (!column.contentEquals(fixed[k])) sums { numbers(column) }
         }
+        if (!state.material.contentEquals(species)) sums { numbers(state.material) }
         for (axis in 0..2) {
             for (quantity in H5md.CHANGING) state.columns(quantity).getOrNull(axis)?.let { sums { numbers(it) } }
             imaged?.integers(image!![axis])

@@ -11,7 +11,7 @@ import java.nio.ByteBuffer
 
 /**
  * Writes states of the same spheres into an H5MD file, one after the other. Of a state that was [added][add] only ids
- * are kept, which must be the same in all, edges, and masses and radii of the first one; its other numbers are in the
+ * are kept, which must be the same in all, edges, and masses, radii and materials of the first one; its other numbers are in the
  * file, or in a chunk that is not yet full.
  *
  * @param first the first state, which is not added by this
@@ -41,6 +41,8 @@ internal class H5mdWriter(
     /** Numbers that no state has changed yet, and those that some have. */
     private val fixed = H5md.FIXED.associateWithTo(LinkedHashMap()) { first.columns(it)[0] }
     private val changed = LinkedHashMap<SphereQuantity, GrowingDataset>()
+    private val species = if (first.hasMaterials) first.material else null
+    private var changedSpecies: GrowingDataset? = null
     private var count = 0
 
     /** Null from the first state on that does not know them. */
@@ -64,7 +66,6 @@ internal class H5mdWriter(
                 element(quantity.title, value)
             }
             all.dataset("id", first.id)
-            if (first.hasMaterials) all.dataset(H5md.SPECIES, IntArray(first.size) { first.material[it].toInt() })
         }
         parameters = file.root.group("parameters")
         parameters.put("shear_offset", offset)
@@ -124,13 +125,33 @@ internal class H5mdWriter(
             val columns = state.columns(quantity)
             value.append { buffer, from, until -> put(buffer, columns, from, until) }
         }
-        if (id.isNotEmpty()) for (quantity in H5md.FIXED) addNumbers(quantity, state.columns(quantity)[0])
+        if (id.isNotEmpty()) {
+            for (quantity in H5md.FIXED) addNumbers(quantity, state.columns(quantity)[0])
+            addSpecies(state.material)
+        }
         count++
         val boxes = state.image
         if (boxes == null) image = null
         image?.append { buffer, from, until ->
             for (k in from until until) for (axis in 0..2) buffer.putInt(boxes!![axis][k])
         }
+    }
+
+    /** Of spheres that swap places. */
+    private fun addSpecies(numbers: DoubleArray) {
+        val before = species ?: return
+        var value = changedSpecies
+        if (value == null) {
+            if (before.contentEquals(numbers)) return
+            value = vectors(Datatype.INT, 1)
+            changedSpecies = value
+            repeat(count) { value.append { buffer, from, until -> putInts(buffer, before, from, until) } }
+        }
+        value.append { buffer, from, until -> putInts(buffer, numbers, from, until) }
+    }
+
+    private fun putInts(buffer: ByteBuffer, numbers: DoubleArray, from: Int, until: Int) {
+        for (k in from until until) buffer.putInt(numbers[k].toInt())
     }
 
     /** Once [numbers] are others than those of the states before, which were all the same, each state has its own. */
@@ -155,7 +176,11 @@ internal class H5mdWriter(
     fun finish() {
         if (id.isNotEmpty()) {
             for ((quantity, numbers) in fixed) all.dataset(quantity.title, numbers).unit(names?.of(quantity))
+            if (species != null && changedSpecies == null) {
+                all.dataset(H5md.SPECIES, IntArray(id.size) { species[it].toInt() })
+            }
         }
+        changedSpecies?.let { element(H5md.SPECIES, it) }
         for ((quantity, value) in changed) element(quantity.title, value)
         edges?.let { element("edges", it.dataset(file).unit(names?.length), box) }
         image?.let { element("image", it) }
@@ -178,5 +203,8 @@ internal class H5mdWriter(
         fun of(quantity: SphereQuantity): String = quantity.dimension.symbols(length, time, mass)
     }
 
-    private fun optional(state: Snapshot) = H5md.CHANGING.filter { it.isOptional && it in state.quantities }
+    private fun optional(state: Snapshot) = (H5md.CHANGING + SphereQuantity.MATERIAL).filter {
+        it.isOptional &&
+            it in state.quantities
+    }
 }

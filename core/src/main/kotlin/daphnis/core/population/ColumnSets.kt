@@ -59,9 +59,9 @@ internal class ColumnSets(now: PopulationColumns) {
         now = columns
     }
 
-    /** Ensures that [now] has radii of its own, so that the step can change them and be taken back. */
-    fun separateRadii() {
-        if (now.fixed === before?.fixed) now.fixed = now.fixed.withOwnRadii()
+    /** Ensures that [now] has columns of its own of what engines do not change, so that a step can and be taken back. */
+    fun separateFixed() {
+        if (now.fixed === before?.fixed) now.fixed = now.fixed.withOwnNumbers()
     }
 
     /** The present columns, and those before a step under way, are such with these [bonds] from now on. */

@@ -24,15 +24,18 @@ public interface Partition {
     public fun gather(own: IntArray): IntArray
 
     /**
-     * Positions, masses and ids of the spheres of all nodes, without anything else: those of [population] come first, in
-     * its order. Valid until the population changes.
+     * The columns at [places], which spheres have, and ids of the spheres of all nodes, without anything else: those of
+     * [population] come first, in its order. Valid until the population changes.
      */
-    public fun everyone(population: Population): SphereColumns
+    public fun everyone(population: Population, places: IntArray): SphereColumns
 
     public companion object {
         /** [Whole], for Java. */
         @JvmStatic
         public fun whole(): Partition = Whole
+
+        /** Places of positions and masses. */
+        internal val MASSES = SphereQuantity.places { it == SphereQuantity.POSITION || it == SphereQuantity.MASS }
     }
 
     /** There is no rest. */
@@ -55,7 +58,7 @@ public interface Partition {
 
         override fun gather(own: IntArray): IntArray = own
 
-        override fun everyone(population: Population): SphereColumns = population
+        override fun everyone(population: Population, places: IntArray): SphereColumns = population
     }
 }
 

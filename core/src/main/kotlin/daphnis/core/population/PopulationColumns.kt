@@ -127,9 +127,6 @@ internal class PopulationColumns(
             if (optional and SphereQuantity.BONDED == 0) Bonds.NONE else Bonds.column(size)
 
         private val FIXED = SphereQuantity.places { it.change == NEVER }
-
-        /** Where radii are among the fixed columns. */
-        val RADII: Int = FIXED.indexOf(SphereQuantity.RADIUS.place)
         private val NOTES = SphereQuantity.places { it.change == NOTED }
 
         /** Columns of the set that a step without collisions copies. */
@@ -187,19 +184,9 @@ internal class PopulationColumns(
 internal class FixedColumns(val numbers: Array<DoubleArray>, val id: IntArray) {
     val size: Int get() = id.size
 
-    /** The same columns with a copy of the radii. */
-    fun withOwnRadii(): FixedColumns = FixedColumns(
-        Array(numbers.size) {
-            if (it ==
-                PopulationColumns.RADII
-            ) {
-                numbers[it].copyOf()
-            } else {
-                numbers[it]
-            }
-        },
-        id,
-    )
+    /** The same columns with copies of the numbers. */
+    fun withOwnNumbers(): FixedColumns =
+        FixedColumns(Array(numbers.size) { numbers[it].let { own -> if (own === NONE) own else own.copyOf() } }, id)
 
     /** Columns of the same kind for [size] spheres. */
     fun empty(size: Int): FixedColumns =

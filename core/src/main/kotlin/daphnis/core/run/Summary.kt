@@ -26,6 +26,8 @@ import java.nio.file.Path
  * @property edgeEvents passages and reflections at edges of interactions, which are no collisions
  * @property mergers collisions in which two spheres became one
  * @property broken spheres that broke into pieces
+ * @property swapAttempts pairs of unlike spheres that were drawn to swap their places
+ * @property swaps those of them that had room to
  * @property from the state of another run from which it started; null when it did not
  */
 @OptIn(ExperimentalSerializationApi::class)
@@ -56,6 +58,8 @@ public class Summary @JvmOverloads constructor(
     @EncodeDefault(EncodeDefault.Mode.NEVER) public val edgeEvents: Long = 0,
     @EncodeDefault(EncodeDefault.Mode.NEVER) public val mergers: Long = 0,
     @EncodeDefault(EncodeDefault.Mode.NEVER) public val broken: Long = 0,
+    @EncodeDefault(EncodeDefault.Mode.NEVER) public val swapAttempts: Long = 0,
+    @EncodeDefault(EncodeDefault.Mode.NEVER) public val swaps: Long = 0,
 ) {
     internal fun bytes(): ByteArray = (JSON.encodeToString(serializer(), this) + "\n").toByteArray(Charsets.UTF_8)
 
@@ -123,6 +127,8 @@ public class Summary @JvmOverloads constructor(
                 edgeEvents = c.edgeEvents,
                 mergers = c.mergers,
                 broken = c.broken,
+                swapAttempts = c.swapAttempts,
+                swaps = c.swaps,
             )
         }
     }

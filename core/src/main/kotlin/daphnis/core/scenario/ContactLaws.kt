@@ -11,6 +11,7 @@ import daphnis.core.surface.MaterialRoughness
 import daphnis.core.surface.MeasuredSphere
 import daphnis.core.surface.RestitutionSpec
 import daphnis.core.surface.Roughness
+import daphnis.core.swap.SwapRule
 
 /** The laws of impacts in a [scenario], by pair of materials where it says so. */
 internal class ContactLaws(
@@ -43,6 +44,18 @@ internal class ContactLaws(
         need(scenario.interactions.isEmpty() && scenario.bonds == null, "spheres without interaction and bonds")
         need(scenario.spins == null && !areRough(scenario), "smooth spheres without spins")
         spec.rule("breaking", scenario.seed, check)
+    }
+
+    /** How spheres swap places; null for spheres that do not. */
+    val swapRule: SwapRule? = scenario.swaps?.let { spec ->
+        fun need(isMet: Boolean, what: String) = check.must("swaps", isMet) { "need $what" }
+        need(scenario.bodies.isEmpty(), "spheres without bodies")
+        need(scenario.interactions.isEmpty() && scenario.bonds == null, "spheres without interaction and bonds")
+        need(scenario.merging == null && scenario.breaking == null, "spheres that neither merge nor break")
+        need(scenario.forces.isEmpty(), "spheres on which no force acts")
+        need(scenario.frame == null, "a frame that does not turn, and so no frame")
+        need(scenario.boundary.shearRate == null, "a boundary without shear")
+        spec.rule("swaps", scenario.seed, check)
     }
 
     /** β; null where no spheres are rough. */

@@ -18,6 +18,7 @@ import daphnis.core.search.SearchStructure
 import daphnis.core.space.Space
 import daphnis.core.surface.RestitutionSpec
 import daphnis.core.surface.RoughnessSpec
+import daphnis.core.swap.SwapsSpec
 import kotlinx.serialization.EncodeDefault
 import kotlinx.serialization.ExperimentalSerializationApi
 import kotlinx.serialization.SerialName
@@ -67,6 +68,7 @@ public data class Scenario @JvmOverloads constructor(
     @EncodeDefault(EncodeDefault.Mode.NEVER) override val merging: MergingSpec? = null,
     @EncodeDefault(EncodeDefault.Mode.NEVER) override val bonds: BondsSpec? = null,
     @EncodeDefault(EncodeDefault.Mode.NEVER) override val breaking: BreakingSpec? = null,
+    @EncodeDefault(EncodeDefault.Mode.NEVER) override val swaps: SwapsSpec? = null,
     /** From a [ResolvedScenario] that was written to a file; a new initial state has its own. */
     internal val firstBody: Int? = null,
 ) : ScenarioParts {

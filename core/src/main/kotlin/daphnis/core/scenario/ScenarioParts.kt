@@ -13,6 +13,7 @@ import daphnis.core.search.SearchStructure
 import daphnis.core.space.Space
 import daphnis.core.surface.RestitutionSpec
 import daphnis.core.surface.RoughnessSpec
+import daphnis.core.swap.SwapsSpec
 
 /** What a scenario as its author wrote it ([Scenario]) and as a run has it ([ResolvedScenario]) have in common. */
 public interface ScenarioParts {
@@ -43,6 +44,9 @@ public interface ScenarioParts {
 
     /** Which impacts break spheres; null for none. */
     public val breaking: BreakingSpec?
+
+    /** How often spheres swap places; null for spheres that do not. */
+    public val swaps: SwapsSpec?
 
     /** Spins at the start; null for none, or those of a file. */
     public val spins: SpinsSpec?

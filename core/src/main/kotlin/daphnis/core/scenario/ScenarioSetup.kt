@@ -32,6 +32,7 @@ import daphnis.core.population.Population
 import daphnis.core.potential.PairInteractions
 import daphnis.core.surface.ContactLaw
 import daphnis.core.surface.Roughness
+import daphnis.core.swap.SwapRule
 import kotlin.math.sqrt
 
 /**
@@ -63,6 +64,8 @@ public class ScenarioSetup private constructor(
     public val mergeRule: MergeRule?,
     /** Which impacts break spheres; null for none. */
     public val breakRule: BreakRule?,
+    /** How spheres swap places; null for spheres that do not. */
+    public val swapRule: SwapRule?,
 ) {
     /** What a run of this carries from step to step besides the spheres. */
     internal val carried: CarriedState = CarriedState(boundary, forces)
@@ -99,7 +102,7 @@ public class ScenarioSetup private constructor(
         val records = recordCollisions || !boundary.walls.areKnownAhead
         return CollisionForcing(
             law, guard, engine, records, scenario.search, roughness, momentFactor, interactions, mergeRule,
-            breakRule,
+            breakRule, swapRule,
         )
     }
 
@@ -189,6 +192,7 @@ public class ScenarioSetup private constructor(
             val timeStep = timeStepSpec.timeStep(resolved, boundary, GrowthSetup(scenario, check).longest(), check)
             val first = timeStep.next(population)
             checkSteps(resolved, first, check)
+            scenario.swaps?.checkDraws("swaps", population.size, first, around.end, check)
             if (state == null) GrowthSetup(scenario, check).checkStart(population, around.box, first, around.end)
             val then = boundary.at(scenario.startTime)
             val startCheck =
@@ -203,7 +207,7 @@ public class ScenarioSetup private constructor(
                 resolved, population, boundary, laws.restitution, guard,
                 forceSetup.forces + listOfNotNull(laws.interactions?.let { PairEnergy(PairStates(it)) }), timeStep,
                 around.frequencies, initial.notices, laws.roughness, forceSetup.places,
-                laws.interactions, laws.mergeRule, laws.breakRule,
+                laws.interactions, laws.mergeRule, laws.breakRule, laws.swapRule,
             )
         }
 

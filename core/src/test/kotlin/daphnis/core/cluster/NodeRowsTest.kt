@@ -79,6 +79,7 @@ class NodeRowsTest {
             assertSameRows()
             assertEquals(expected.stateDigest, found.stateDigest)
             assertEquals(expected.energy, found.energy)
+            assertEquals(expected.swaps to expected.swapAttempts, found.swaps to found.swapAttempts)
             assertEquals(listOf(1, 1), listOf(fleet.crews, asked.getValue(Command.GATHER).get() / count))
             val steps = expected.steps.toInt() * count
             // The watcher asks once more.
@@ -92,7 +93,11 @@ class NodeRowsTest {
     }
 
     @ParameterizedTest
-    @EnumSource(names = ["BODIES", "TREE", "MESH", "GROWING", "PISTONS", "MOONS", "STEPPED", "MERGING", "BREAKING"])
+    @EnumSource(
+        names = [
+            "BODIES", "TREE", "MESH", "GROWING", "PISTONS", "MOONS", "STEPPED", "MERGING", "BREAKING", "SWAPPING",
+        ],
+    )
     fun `rows are the same where nodes die, and what all nodes find together is found again`(case: RowCase) {
         val expected = serial(case, "output.checkpointEvery=4")
         val random = Random(case.ordinal.toLong())
@@ -116,7 +121,9 @@ class NodeRowsTest {
     }
 
     @ParameterizedTest
-    @EnumSource(names = ["TREE", "MESH", "GROWING", "PISTONS", "MOONS", "STEPPED", "MERGING", "BREAKING"])
+    @EnumSource(
+        names = ["TREE", "MESH", "GROWING", "PISTONS", "MOONS", "STEPPED", "MERGING", "BREAKING", "SWAPPING"],
+    )
     fun `a run goes on with other nodes and without any, from what each has saved`(case: RowCase) {
         val expected = serial(case, "output.checkpointEvery=2")
         val run = scenario(case, arrayOf("output.checkpointEvery=2", "engine.name=serial"))

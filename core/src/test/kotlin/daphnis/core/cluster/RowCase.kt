@@ -182,6 +182,14 @@ enum class RowCase(text: String, internal val check: (List<List<String>>) -> Uni
         "breaking": {"speed": 2, "pieces": 3, "spread": 0.2, "smallest": 0.2}, $GAS""",
         { rows -> assertTrue(rows.column("particles").let { it.last().toInt() > 2 * it.first().toInt() }) },
     ),
+    SWAPPING(
+        """"until": 0.5, "box": {"lengths": [9, 9, 9]}, "boundary": {"type": "periodic"},
+        "particles": {"count": 500, "materials": [
+        {"name": "a", "share": 0.5, "density": 1, "sizes": {"type": "equal", "radius": 0.4}},
+        {"name": "b", "share": 0.5, "density": 3, "sizes": {"type": "equal", "radius": 0.35}}]},
+        "velocities": {"type": "gaussian", "sigma": 2.0}, "swaps": {"rate": 30}, $GAS""",
+        { rows -> assertEquals(rows.size - 1, rows.column("temperature_a").distinct().size) },
+    ),
     PISTONS(
         """"until": 0.5, "box": {"lengths": [9, 9, 9]}, "boundary": {"type": "walls", "faces": {
         "lowerZ": {"motion": {"type": "piston", "mass": 50}},

@@ -46,6 +46,28 @@ class MaterialFilesTest {
     }
 
     @Test
+    fun `materials that change, where spheres swap, are those of each state of a file`() {
+        val swapped = made.copy().also { p -> p.material[0] = p.material[1].also { p.material[1] = p.material[0] } }
+        assertTrue(swapped.material[0] != made.material[0])
+        for (format in listOf(H5md, ExtendedXyz)) {
+            for (states in listOf(listOf(made, made), listOf(made, made, swapped, made, swapped), listOf(spun, spun))) {
+                val snapshots = states.mapIndexed { k, p -> Snapshot.of(p, boundary, k.toLong(), 0.5 * k) }.asSequence()
+                val path = format.export(
+                    snapshots,
+                    Files.createTempDirectory(home, "swaps"),
+                    ExportOptions("test"),
+                ).path
+                val back = SnapshotFormats.read(path)
+                assertEquals(states.size, back.size, format.word)
+                for ((p, state) in states.zip(back)) {
+                    assertArrayEquals(p.material, state.material)
+                    assertEquals(names, state.materials)
+                }
+            }
+        }
+    }
+
+    @Test
     fun `H5MD and extended XYZ keep numbers and names, beside spins and without`() {
         for (format in listOf(H5md, ExtendedXyz)) {
             for (p in listOf(plain, made, spun)) {

@@ -36,6 +36,7 @@ import daphnis.core.population.Population
 import daphnis.core.search.SearchStructure
 import daphnis.core.surface.BridgesRestitution
 import daphnis.core.surface.ConstantRestitution
+import daphnis.core.swap.SwapRule
 
 /** A random gas for engines: everything follows from [seed]. */
 class Draw(override val seed: Long) : Case {
@@ -92,6 +93,11 @@ class Draw(override val seed: Long) : Case {
     /** In some spheres break that meet fast. */
     private val breakRule = BreakRule(1.5, 2 + (seed % 5).toInt(), 0.3, 0.4 * radii.average(), seed)
         .takeIf { (seed % 12 == 5L || seed % 12 == 9L) && interactions == null && !population.hasSpin }
+
+    /** In some spheres swap places, about as often as some of them collide. */
+    private val swapRule = SwapRule(0.3 / dt, seed).takeIf {
+        seed % 5 == 3L && interactions == null && mergeRule == null && breakRule == null && boundary.meanFlow == null
+    }
 
     private fun Population.fillingNow() = if (clumped) maxOf(filling, 0.2) else filling
 
@@ -221,6 +227,7 @@ class Draw(override val seed: Long) : Case {
             interactions = interactions,
             mergeRule = mergeRule,
             breakRule = breakRule,
+            swapRule = swapRule,
         ),
         FixedTimeStep(dt),
         forces(),
@@ -261,5 +268,6 @@ class Draw(override val seed: Long) : Case {
             }.joinToString(
                 "",
             )}, dt $dt$surface${if (interactions != null) ", with steps" else ""}" +
-            (if (mergeRule != null) ", merging" else "") + (if (breakRule != null) ", breaking" else "")
+            (if (mergeRule != null) ", merging" else "") + (if (breakRule != null) ", breaking" else "") +
+            if (swapRule != null) ", swapping" else ""
 }

@@ -20,6 +20,7 @@ internal class DiffusionSection(private val study: Study) : Section {
     private val input = study.input
     private val units = study.units
     private val omega = input.omega
+    private val haveSwaps = study.physics?.swaps != null
     private val meanRadius = study.bulk.meanRadius
     private val chosen = chosen(study.from)
     private val last = study.lastSnapshot
@@ -34,6 +35,7 @@ internal class DiffusionSection(private val study: Study) : Section {
     override val over get() = "Mean square displacements over all origins, without images " +
         "and relative to the centre of mass. " +
         (if (omega == null && coordinates.size > 1) "D is the mean of those along the axes. " else "") +
+        (if (haveSwaps) SWAPPED else "") +
         "${ReportText.count(chosen.size, "state")} from time ${study.time(study.from)} on." +
         study.judgement.bars(" $ASSUMED").takeIf { it == " $ASSUMED" }.orEmpty()
     override val leftOut get() = when {
@@ -51,7 +53,16 @@ internal class DiffusionSection(private val study: Study) : Section {
         else -> null
     }
     private val velocities =
-        VelocityPart(study, if (trajectories == null || omega != null) emptyList() else axes(last, study.last.boundary))
+        VelocityPart(
+            study,
+            if (trajectories == null ||
+                !areFollowed()
+            ) {
+                emptyList()
+            } else {
+                axes(last, study.last.boundary)
+            },
+        )
     private val places = if (trajectories == null) emptySet() else chosen.toSet()
     private val moving = velocities.followed.toSet()
     override val followed = (places + moving).sorted()
@@ -64,6 +75,9 @@ internal class DiffusionSection(private val study: Study) : Section {
         if (snapshot.image == null) trajectories = null
         trajectories?.add(snapshot)
     }
+
+    /** Whether velocities stay with the ids of particles, and turn about nothing. */
+    private fun areFollowed() = omega == null && !haveSwaps
 
     private fun isExpected() = !PerturbedSheet.isSeen(study.last) &&
         chosen.size >= MeanSquareDisplacement.FEWEST_TIMES &&
@@ -203,6 +217,8 @@ internal class DiffusionSection(private val study: Study) : Section {
             "± is from blocks of time of all particles together. So particles may move together; what is taken as " +
                 "independent is their motion at times that are further apart than the longest lag of the fit. There " +
                 "is no ± where the time is shorter than ${MeanSquareDisplacement.FEWEST_WINDOWS + 1} times that lag."
+
+        const val SWAPPED = "Paths are those of places, whose particles swaps exchange; velocities are not followed. "
 
         /** Alder & Wainwright 1970, Phys. Rev. A 1, 18. */
         const val OF_DISCS = "; in two dimensions it grows with the logarithm of the lag"

@@ -10,8 +10,8 @@ internal object ElasticGas {
     /** Relative difference at which two lengths or masses still count as equal. */
     private const val SAME = 1e-9
 
-    /** Whether [last] is a state of such a gas, in a box that repeats along all axes. */
-    fun isSeen(scenario: Scenario, last: State): Boolean =
+    /** Whether [last] is a state of such a gas, in a box that repeats along all axes; none swap places and velocities. */
+    fun isSeen(scenario: Scenario, last: State): Boolean = scenario.swaps == null &&
         isAtRest(scenario, last) && areEqual(last.population.radius) && areEqual(last.population.mass)
 
     /** The same of spheres that may differ in size and mass. */

@@ -81,16 +81,22 @@ internal class RunParameters(private val input: AnalysisInput, private val last:
         return listOf("states" to "${input.size}, time ${UnitNames.amount(span, units.time)}")
     }
 
-    private fun summary(summary: Summary) = listOf(
+    private fun summary(summary: Summary) = listOfNotNull(
         "steps" to "${summary.steps}" + end(summary),
         "collisions" to
             "${summary.collisions}" + guarded(summary.guardActivations) + merged(summary.mergers) +
             atEdges(summary.edgeEvents) + broken(summary.broken),
+        swaps(summary)?.let { "swaps" to it },
         "deepest overlap" to overlap(summary.maxOverlap),
         "engine" to "${summary.engine}, ${count(summary.threads, "thread")}, ${short(summary.wallSeconds)} s",
         "state digest" to summary.stateDigest,
         "version" to "daphnis ${summary.version}, ${summary.jvm}",
     )
+
+    private fun swaps(summary: Summary): String? {
+        val tried = summary.swapAttempts
+        return if (tried == 0L) null else "${summary.swaps} of $tried tried, ${short(100.0 * summary.swaps / tried)} %"
+    }
 
     private fun broken(spheres: Long) = if (spheres > 0) ", $spheres spheres broke in them" else ""
 

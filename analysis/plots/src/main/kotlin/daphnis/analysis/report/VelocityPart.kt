@@ -180,7 +180,7 @@ internal class VelocityPart(private val study: Study, private val axes: List<Int
     /** Why there is none; null where nothing else would help. */
     private fun why(found: VelocityAutocorrelation?): String? {
         val isSparse = found != null || isSparse()
-        if (!isSparse || !input.hasVelocities) return null
+        if (axes.isEmpty() || !isSparse || !input.hasVelocities) return null
         val apart = UnitNames.amount(ReportText.short(step()), study.scale.timeName)
         return "No velocity autocorrelation: states are $apart apart, and too much of the velocities is forgotten by " +
             "then. More states would show it" + (if (input.directory == null) "." else " (output.snapshotEvery).")

@@ -46,6 +46,25 @@ class MaterialReportTest {
         assertTrue(">Materials</h2>" in Files.readString(home.resolve("report.html")))
     }
 
+    @Test
+    fun `a mixture with swaps says how many, and follows places but no velocities`(@TempDir home: Path) {
+        val elastic = small + "restitution.coefficient=1" + "output.snapshotEvery=1"
+        val plain = report(home.resolve("plain"), elastic)
+        val numbers = report(home.resolve("swaps"), elastic + """swaps={"rate": 20}""")
+        val page = Files.readString(home.resolve("swaps/report.html"))
+        val summary = Run.open(home.resolve("swaps")).summary()!!
+        assertTrue("${summary.swaps} of ${summary.swapAttempts} tried" in page)
+        assertTrue("Paths are those of places" in page)
+        assertTrue("velocity_correlation_slope" in plain && "velocity_correlation_slope" !in numbers)
+        assertTrue("velocity-autocorrelation" !in page && "No velocity autocorrelation" !in page)
+        assertTrue("self_diffusion" in numbers)
+        assertEquals(plain["compressibility"]!![4], numbers["compressibility"]!![4])
+        assertTrue(plain["compressibility"]!![4].toDouble() > 1)
+        // Of each kind there are as many in all states.
+        val tables = listOf("plain", "swaps").map { Files.readAllLines(home.resolve("$it/tables/materials.csv")) }
+        assertEquals(tables[0].map { it.take(14) }, tables[1].map { it.take(14) })
+    }
+
     @Tag("thorough")
     @Test
     fun `where the others are moonlets there is nothing to compare`(@TempDir home: Path) {
