@@ -40,6 +40,9 @@ public interface ForceSpec {
     /** Keys that say what [carried] is: a run that goes on from a state of another one takes it from there. */
     public val keysOfCarried: Set<String> get() = emptySet()
 
+    /** Whether this is what [other] was in another run, from a state of which a run goes on, so that it goes on too. */
+    public fun goesOnAs(other: ForceSpec): Boolean = false
+
     /** The same which begins with [state], which the force of another run carried. */
     public fun beginningWith(state: List<Double>): ForceSpec = this
 

@@ -20,9 +20,9 @@ import kotlin.math.sqrt
  * or, with a [circumference], once in a synodic period, circumference/(s X).
  *
  * A moon of infinite [mass] keeps its orbit. One of a finite mass takes up the exact sum of what it gives to all spheres,
- * whatever their order and wherever they are: Σ m v of spheres and moon is conserved to round-off, and so is their
- * angular momentum, Σ m X with the guiding centres X, where nothing comes back through a face. Moons do not attract one
- * another.
+ * whatever their order and wherever they are: a kick conserves Σ m v of spheres and moon to round-off, and so their
+ * angular momentum, Σ m X with the guiding centres X, is constant where nothing comes back through a face. Moons do not
+ * attract one another. A moon of a finite mass is of one simulation, whose steps move it.
  *
  * @param gravitationalParameter G times the mass, in length³/time²
  * @param orbit the moon's epicycle at [epoch]
@@ -72,6 +72,7 @@ public class Satellite @JvmOverloads constructor(
         }
         require(softening >= 0 && softening.isFinite()) { "softening is $softening; it must be at least 0" }
         require(circumference > 0) { "circumference is $circumference; it must be > 0" }
+        require(orbit.elements().all { it.isFinite() }) { "the orbit of the satellite is not finite" }
         require(mass > 0) { "mass of the satellite is $mass; it must be > 0" }
         require(epoch.isFinite()) { "epoch of the satellite is $epoch; it must be finite" }
         require(!isFree || frequencies.nu > 0) {
@@ -137,6 +138,7 @@ public class Satellite @JvmOverloads constructor(
         get() = if (isFree) orbit.elements() + epoch else DoubleArray(0)
         set(value) {
             if (!isFree) return
+            require(value.size == Epicycle.ELEMENTS + 1) { "${value.size} numbers are no state of a satellite" }
             orbit = Epicycle.ofElements(value)
             epoch = value[Epicycle.ELEMENTS]
         }

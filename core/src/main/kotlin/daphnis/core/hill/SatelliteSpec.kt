@@ -63,6 +63,10 @@ public class SatelliteSpec @JvmOverloads constructor(
     override val carried: List<Double>? get() = if (feelsRing) orbit.elements().asList() + epoch else null
     override val keysOfCarried: Set<String> get() = KEYS_OF_ORBIT
 
+    /** It was given the same orbit. */
+    override fun goesOnAs(other: ForceSpec): Boolean =
+        other is SatelliteSpec && other.epoch == epoch && other.orbit.elements().contentEquals(orbit.elements())
+
     override fun beginningWith(state: List<Double>): ForceSpec {
         val orbit = Epicycle.ofElements(state.toDoubleArray())
         val node = if (orbit.i == 0.0) 0.0 else orbit.verticalPhase + Math.PI / 2
@@ -97,7 +101,12 @@ public class SatelliteSpec @JvmOverloads constructor(
         check.atLeast0("$key.e", e)
         check.atLeast0("$key.radius", radius, "0 for a point")
         check.atLeast0("$key.inclination", inclination)
-        check.must("$key.epoch", epoch.isFinite()) { "is $epoch; it must be finite" }
+        for ((name, value) in listOf("x" to x, "y" to y, "e" to e, "inclination" to inclination, "epoch" to epoch)) {
+            check.that("$key.$name", value, abs(value) <= FARTHEST) { "must be a finite number" }
+        }
+        for ((name, value) in listOf("phase" to phase, "node" to node)) {
+            check.that("$key.$name", value, value.isFinite()) { "must be a finite number" }
+        }
         return Satellite(strength, orbit, orbits, softening, circumference(place), inertia(place, strength), epoch)
     }
 
@@ -143,7 +152,7 @@ public class SatelliteSpec @JvmOverloads constructor(
     }
 
     /**
-     * It keeps its orbit whatever is in its way, so it may not cross the plane of the patch, or lie in it, within a body
+     * It begins on its orbit whatever is in its way, so that may not cross the plane of the patch, or lie in it, within a body
      * of the scenario: that would be thrown far away, or removed as ring matter is. Bodies are the last spheres of [p],
      * on the free paths of their first velocities.
      */
@@ -200,5 +209,7 @@ public class SatelliteSpec @JvmOverloads constructor(
     }
 }
 
+/** Squares of it and what comes of them are numbers. */
+private const val FARTHEST = 1e100
 private val KEYS_OF_ORBIT = setOf("x", "y", "e", "phase", "inclination", "node", "epoch")
 private const val LENGTH = "units.lengthInMetres"

@@ -22,7 +22,8 @@ internal object BodiesOutput : PeriodicOutput("bodies", OutputSpec::bodiesEvery,
 }
 
 /**
- * `bodies.csv`: at each of [times] a row for each satellite that feels the ring and each body that is there, in the order of ids. What impacts gave since the
+ * `bodies.csv`: at each of [times] a row for each satellite that feels the ring and each body that is there, in the
+ * order of ids. What impacts gave since the
  * row before is summed in the run, since a body may have thousands of impacts in between; what else acted is the rest
  * of the change of its orbit ([BodyPush]).
  */

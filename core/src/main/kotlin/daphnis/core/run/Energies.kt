@@ -10,8 +10,8 @@ import daphnis.core.hill.Satellite
  *
  * @property potential in all forces except the frame
  * @property total kinetic, that of rotation and [potential]; NaN in a rotating frame, in which it is not conserved
- * @property hill the same in the rotating frame, relative to it, plus that of the rotating frame, and of satellites that feel
- *   the ring; NaN without one
+ * @property hill the same in the rotating frame, relative to it, plus that of the frame, and of satellites that feel the
+ *   ring; NaN without a frame
  */
 internal class Energies(simulation: Simulation, sums: StepSums) {
     val potential: Double

@@ -74,11 +74,11 @@ internal class OriginCheck(private val scenario: Scenario, private val source: S
 
     /** What a force carried in the other run it goes on with. */
     private fun forces(other: Scenario?): List<ForceSpec> {
-        val before = other?.forces.orEmpty()
+        val goOn = from.goingOn(scenario.forces)
+        if (other == null || goOn.isEmpty()) return scenario.forces
         val states = from.forces()
         return scenario.forces.mapIndexed { k, force ->
-            if (before.getOrNull(k)?.carried == null) return@mapIndexed force
-            val state = states[k]
+            val state = states[goOn[k] ?: return@mapIndexed force]
             must("forces[$k]", state != null) {
                 "goes on, and nothing says where it was in $said; take a state after a step that has a row in " +
                     BodyColumns.file

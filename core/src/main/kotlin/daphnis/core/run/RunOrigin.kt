@@ -1,6 +1,7 @@
 package daphnis.core.run
 
 import daphnis.core.collision.GuardSpec
+import daphnis.core.force.ForceSpec
 import daphnis.core.format.Snapshot
 import daphnis.core.format.reasonOf
 import daphnis.core.hill.Moon
@@ -12,6 +13,7 @@ import daphnis.core.scenario.Surroundings
 import daphnis.core.scenario.TimeStepSpec
 import daphnis.core.scenario.WallFacesSpec
 import java.io.IOException
+import java.nio.file.Files
 import java.nio.file.Path
 
 /**
@@ -66,7 +68,7 @@ public class RunOrigin(public val run: RecordedRun, public val state: Snapshot) 
             .takeIf { scenario.guard?.remembers == true },
         "$name: bridges are not part of a state; none is there until surfaces meet"
             .takeIf { start.bound == null && scenario.interactions.any { it.remembers } },
-    ) + elsewhere(scenario) + forcesElsewhere(scenario)
+    ) + elsewhere(scenario) + begunAnew(scenario.forces)
 
     /** Pistons that [scenario] would have elsewhere, or with another speed, than the scenario of the other run. */
     private fun elsewhere(scenario: Scenario): List<String> {
@@ -79,17 +81,34 @@ public class RunOrigin(public val run: RecordedRun, public val state: Snapshot) 
         }
     }
 
-    /** Forces that [scenario] would have begin with another state than the scenario of the other run. */
-    private fun forcesElsewhere(scenario: Scenario): List<String> {
-        val before = this.scenario?.forces.orEmpty()
-        return scenario.forces.mapIndexedNotNull { k, force ->
-            val there = before.getOrNull(k)?.carried
-            if (there == null || force.carried == null || force.carried == there) return@mapIndexedNotNull null
-            "$name: forces[$k] goes on from where it is in the state; ${force.keysOfCarried.joinToString()} are not used"
-        }
+    /** Which force of the other run, by its index, each of [forces] is that goes on as it, by its own. */
+    internal fun goingOn(forces: List<ForceSpec>): Map<Int, Int> {
+        val before = scenario?.forces.orEmpty()
+        val left = before.indices.filterTo(ArrayList()) { before[it].carried != null }
+        return forces.indices.mapNotNull { k ->
+            left.find { forces[k].goesOnAs(before[it]) }?.let { k to it.also(left::remove) }
+        }.toMap()
     }
 
-    private val checkpoint by lazy { CheckpointState(run.directory).meta(state.step) }
+    /** Forces with a state of their own that begin anew, and those of the other run that are no more. */
+    private fun begunAnew(given: List<ForceSpec>): List<String> {
+        val goOn = goingOn(given)
+        val anew = given.indices.filter { given[it].carried != null && it !in goOn }.map {
+            val keys = given[it].keysOfCarried.joinToString()
+            "$name: forces[$it] begins anew; none there had the same $keys"
+        }
+        val left = scenario?.forces.orEmpty().withIndex().filter { (j, it) -> it.carried != null && j !in goOn.values }
+        return anew + left.map { "$name: its forces[${it.index}] is no more" }
+    }
+
+    private val checkpoint by lazy {
+        try {
+            CheckpointState(run.directory).meta(state.step)
+        } catch (e: InputException) {
+            // It is damaged, and a table may tell.
+            null
+        }
+    }
 
     /** Position and speed of each piston in the state, by face; null where the run does not tell. */
     internal fun pistons(): Map<Int, List<Double>>? =
@@ -109,7 +128,11 @@ public class RunOrigin(public val run: RecordedRun, public val state: Snapshot) 
         }.toMap()
     }
 
+    /** What is [read] of a table, which has to be as the run wrote it. */
     private fun <T> read(path: Path, read: (Path) -> T): T = try {
+        if (Files.exists(path)) {
+            RunRecord.of(run.directory).problems(path).firstOrNull()?.let { throw InputException("", null, it) }
+        }
         read(path)
     } catch (e: IOException) {
         throw InputException("$path", null, "cannot be read: ${reasonOf(e, path)}")

@@ -69,7 +69,10 @@ public sealed interface FrameSpec {
         public val oblateness: OblatenessSpec? = null,
     ) : FrameSpec {
         override val inWords: String?
-            get() = distanceInKm?.let { "%.0f km from %s".format(Locale.ROOT, it, planet.name.lowercase()) }
+            get() = distanceInKm?.let {
+                val of = if (gravitationalParameter == null) planet.name.lowercase() else "the planet"
+                "%.0f km from %s".format(Locale.ROOT, it, of)
+            }
 
         /** GM of the planet in m³/s². */
         private val inSi: Double

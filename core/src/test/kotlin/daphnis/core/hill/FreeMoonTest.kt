@@ -171,6 +171,10 @@ class FreeMoonTest {
             Satellite(3.0, kept.orbit, OrbitalFrequencies(1.0, verticalFactor = 0.0), mass = 1.0)
         }
         assertThrows(IllegalArgumentException::class.java) { SatelliteSurface(Open, moons()[0], 1.0) }
+        assertThrows(IllegalArgumentException::class.java) {
+            Satellite(3.0, Epicycle(Double.NaN, 0.0, 0.0, 0.0), orbits)
+        }
+        assertThrows(IllegalArgumentException::class.java) { moons()[0].carried = DoubleArray(2) }
     }
 
     @Test

@@ -81,10 +81,49 @@ class FeltRingTest {
             listOf("softening", "massRatio", "feelsRing", "type").associateWith { false }
         for ((key, isOfState) in states) assertEquals(isOfState, without.isOfState("forces[1].$key")) { key }
         assertEquals(false, without.isOfState("forces[9].x"))
-        val moved = RunOrigin(other, other.atStep(6))
-        Run.start(scenario("forces[1].x=51"), "test", home.resolve("y"), engines = Engines, from = moved).use { run ->
-            assertTrue(run.notices.any { "forces[1] goes on from where it is" in it }) { "${run.notices}" }
+    }
+
+    @Test
+    fun `a moon is known by the orbit it was given, wherever in the list, and another one begins anew`() {
+        start("whole").use { it.execute() }
+        val other = Run.open(home.resolve("whole"))
+        val from = RunOrigin(other, other.atStep(4))
+        fun begin(name: String, vararg settings: String) =
+            Run.start(scenario(*settings), "test", home.resolve(name), engines = Engines, from = from).use { run ->
+                run.notices to run.simulation.forces.filterIsInstance<Satellite>().map { it.orbit.guidingX to it.epoch }
+            }
+        val second = """{"type": "satellite", "massRatio": 2e-20, "x": 50, "y": 15, "e": 3, "inclination": 2,
+            "feelsRing": true}"""
+        val rows = rows("whole", "bodies.csv").map { it.split(',') }.filter { it[0] == "4" }
+        val outer = rows.single { it[2] == "-2" }.let { it[10].toDouble() to it[1].toDouble() }
+        val (said, alone) = begin("one", "forces=[$second]")
+        assertEquals(listOf(outer), alone)
+        assertTrue(said.any { "its forces[0] is no more" in it }) { "$said" }
+        val before = """{"type": "uniform-acceleration", "acceleration": [0, 0, 0]}"""
+        assertEquals(outer, begin("two", "forces=[$before, $second]").second.single())
+        val (anew, moved) = begin("three", "forces[1].x=51")
+        assertEquals(51.0 to 0.0, moved[1])
+        assertTrue(anew.any { "forces[1] begins anew; none there had the same x" in it }) { "$anew" }
+    }
+
+    @Test
+    fun `what is not as the run wrote it says nothing of moons, and a damaged checkpoint does not hide a good row`() {
+        start("whole", "output.checkpointEvery=4").use { it.execute() }
+        val run = home.resolve("whole")
+        val step = Run.open(run).steps()[2]
+        fun start() = Run.open(run).let { other ->
+            val from = RunOrigin(other, other.atStep(step))
+            Run.start(scenario(), "test", home.resolve("x"), force = true, engines = Engines, from = from).use { }
         }
+        val checkpoint = run.resolve("checkpoint")
+        val good = Files.readAllBytes(checkpoint)
+        Files.write(checkpoint, good.copyOf().also { it[good.size / 2] = (it[good.size / 2] + 1).toByte() })
+        start()
+        Files.write(checkpoint, good)
+        val table = run.resolve("bodies.csv")
+        Files.writeString(table, Files.readString(table).replaceFirst(",-1,", ",-1,1"))
+        val told = assertThrows(InputException::class.java) { start() }.message.orEmpty()
+        assertTrue("bodies.csv" in told) { told }
     }
 
     @Test
@@ -107,6 +146,8 @@ class FeltRingTest {
         val told = mapOf(
             "forces[0].radius=2" to "forces[0].feelsRing",
             "forces[0].epoch=1e999" to "forces[0].epoch",
+            "forces[0].e=1e200" to "forces[0].e",
+            "forces[0].x=1e101" to "forces[0].x",
             "forces[0].massRatio=0" to "forces[0].massRatio",
             "frame.verticalFactor=0" to "forces[0].feelsRing",
         )

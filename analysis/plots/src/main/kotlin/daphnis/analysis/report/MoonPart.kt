@@ -12,21 +12,33 @@ import kotlin.math.sign
 /** What the [moon] of a scenario does to streamlines; nothing but its place where its encounter is not known. */
 internal class MoonPart private constructor(
     private val study: Study,
-    private val moon: Moon,
+    moons: List<Moon>,
     private val orbits: OrbitalFrequencies,
 ) {
     private val units = study.units
     private val last = study.last
-    private val others = MoonEncounter.moons(study.input.scenario).drop(1)
-    private val encounter = MoonEncounter.of(study.input.scenario, orbits, last.boundary.box)
+    private val all = moons.mapIndexed { k, moon -> seen(moon, -1 - k) }
+    private val moon = all.first()
+    private val others = all.drop(1)
+    private val encounter = MoonEncounter.of(study.input.scenario, orbits, last.boundary.box, moon)
 
     /** Where the moon is along the orbit, at the time of the last state. */
     val y: Double = now(moon).state(orbits)[1]
 
-    /** Where the ring has pulled it, if it feels that and the run says so; else on the orbit it was given. */
+    /** [moon] where the ring has pulled it, if it feels that and the run has rows with this [number]; else as given. */
+    private fun seen(moon: Moon, number: Int): Moon {
+        val now = study.input.bodies.find { it.id == number }?.orbit(last.time, orbits) ?: return moon
+        return object : Moon by moon {
+            override val x = now.guidingX
+            override val e = now.e
+            override val inclination = now.i
+            override val orbit = now
+            override val epoch = last.time
+        }
+    }
+
     private fun now(moon: Moon): Epicycle {
-        val seen = study.input.bodies.find { it.id == -1 }?.orbit(last.time, orbits)
-        val now = seen ?: moon.orbit.after(last.time - moon.epoch, orbits)
+        val now = moon.orbit.after(last.time - moon.epoch, orbits)
         val distance = study.input.scenario?.let { FrameSetup.distance(it, orbits) }
         return if (moon.returns && distance != null) now.onCircle(2 * Math.PI * distance) else now
     }
@@ -76,8 +88,8 @@ internal class MoonPart private constructor(
     companion object {
         /** Of the first satellite of the scenario; null without one, or without Hill's frame. */
         fun of(study: Study): MoonPart? {
-            val moon = MoonEncounter.moons(study.input.scenario).firstOrNull()
-            return if (moon == null) null else study.input.frequencies?.let { MoonPart(study, moon, it) }
+            val moons = MoonEncounter.moons(study.input.scenario).ifEmpty { return null }
+            return study.input.frequencies?.let { MoonPart(study, moons, it) }
         }
     }
 }

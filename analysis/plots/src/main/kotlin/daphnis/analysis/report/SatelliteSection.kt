@@ -42,8 +42,9 @@ internal class SatelliteSection(private val study: Study) : Section {
     override fun numbers(): List<NumberRow> {
         val first = orbits.firstOrNull() ?: return emptyList()
         val rows = NumberRows()
+        val balance = balance()
         val name = "angular momentum that the ring lost over that which satellites took up"
-        rows.exact("satellite_balance", name, balance(), "", "between the first state and the last")
+        if (!balance.isNaN()) rows.exact(BALANCE, name, balance, "", "between the first state and the last")
         return of(first, "satellite") + rows.list()
     }
 
@@ -59,8 +60,10 @@ internal class SatelliteSection(private val study: Study) : Section {
             val unit = units.of("mass length/time^2")
             rows.average(key("force"), name, BlockAverage.of(force), unit, "times the distance from the planet: torque")
         }
-        val e = BlockAverage.of(late[BodyColumns.ECCENTRICITY])
-        rows.average(key("eccentricity"), "a·e of satellite $number, mean", e, units.length)
+        val e = late[BodyColumns.ECCENTRICITY]
+        if (e.isNotEmpty()) {
+            rows.average(key("eccentricity"), "a·e of satellite $number, mean", BlockAverage.of(e), units.length)
+        }
         drift(late)?.let {
             val unit = "${units.length}/orbit"
             rows.change(key("drift"), "drift of a of satellite $number", it.drift * orbit, it.driftError * orbit, unit)
@@ -75,9 +78,10 @@ internal class SatelliteSection(private val study: Study) : Section {
         return if (isLong) RandomWalk.settled(listOf(time), listOf(body[BodyColumns.GUIDING_X]), orbit) else null
     }
 
-    /** NaN where rows or spheres are missing. */
+    /** NaN where rows or spheres are missing, and where a satellite that keeps its orbit takes some. */
     private fun balance(): Double {
-        if (ring.size < 2 || spheres[0] != spheres[1]) return Double.NaN
+        val haveAll = orbits.size == MoonEncounter.moons(study.input.scenario).size
+        if (ring.size < 2 || spheres[0] != spheres[1] || !haveAll) return Double.NaN
         val taken = orbits.sumOf { body ->
             val (first, last) = listOf(study.input.times.first(), study.input.times.last()).map { time ->
                 body[BodyColumns.TIME].indexOfFirst { it == time }
@@ -98,5 +102,6 @@ internal class SatelliteSection(private val study: Study) : Section {
     private companion object {
         /** The fewest orbits over which a drift means something. */
         const val SHORTEST = 4.0
+        const val BALANCE = "satellite_balance"
     }
 }

@@ -53,6 +53,21 @@ class SatelliteSectionTest {
     }
 
     @Test
+    fun `no balance is told where a satellite keeps its orbit or a state has no row, and streamlines see the moon now`() {
+        val kept = analysed("kept", "forces[1].feelsRing=false", "untilOrbits=1")
+        assertFalse("satellite_balance" in numbers(kept))
+        val rare = analysed("rare", "output.bodiesEvery=40", "untilOrbits=1")
+        assertFalse("satellite_balance" in numbers(rare))
+        // A heavy ring moves its moon at once.
+        val path = analysed("moved", "particles.density=5e11", "untilOrbits=3")
+        val x = Files.readAllLines(path.resolve("bodies.csv")).last { ",-1," in it }.split(',')[10].toDouble()
+        assertTrue(kotlin.math.abs(x + 9) > 0.05) { "$x" }
+        val distance = Regex("distance from the moon's orbit.*?<td[^>]*>([0-9.]+)", RegexOption.DOT_MATCHES_ALL)
+            .find(Files.readString(path.resolve("report.html")))!!.groupValues[1].toDouble()
+        assertEquals(-x, distance, 0.01)
+    }
+
+    @Test
     fun `without rows the report says what is missing`() {
         val path = analysed("silent", "output.bodiesEvery=0", "untilOrbits=1")
         assertTrue("output.bodiesEvery" in Files.readString(path.resolve("report.html")))
