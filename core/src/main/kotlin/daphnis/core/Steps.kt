@@ -58,6 +58,7 @@ internal class LocalSteps(private val phases: StepPhases, private val timeStep: 
         val end = settle(duration)
         phases.applyBoundary(end)
         phases.kickAgain(end, duration)
+        phases.exchange(end, duration)
         phases.checkFinite(at)
     }
 

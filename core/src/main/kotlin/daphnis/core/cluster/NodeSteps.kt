@@ -43,6 +43,7 @@ internal class NodeSteps(
     private val scenario = ScenarioJson.write(setup.scenario)
     private val boundary = setup.boundary
     private val sums = CrewSums(setup)
+    private val exchanged = setup.sources?.sums
 
     @Volatile
     private var crew: Crew? = null
@@ -104,6 +105,10 @@ internal class NodeSteps(
             tally.clear()
             for (part in done) tally.merge(part.tally!!)
         }
+        exchanged?.let { sums ->
+            sums.clear()
+            for (part in done) sums.merge(part.exchanged!!)
+        }
         report.add(done)
         time = end
         boundary.state = done[0].boundary
@@ -125,6 +130,7 @@ internal class NodeSteps(
         forcing.counters.set(before)
         forcing.record?.clear()
         forcing.tally?.clear()
+        exchanged?.clear()
     }
 
     override fun bringHome() {

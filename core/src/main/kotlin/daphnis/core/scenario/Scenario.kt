@@ -67,6 +67,7 @@ public data class Scenario @JvmOverloads constructor(
     @EncodeDefault(EncodeDefault.Mode.NEVER) override val merging: MergingSpec? = null,
     @EncodeDefault(EncodeDefault.Mode.NEVER) override val bonds: BondsSpec? = null,
     @EncodeDefault(EncodeDefault.Mode.NEVER) override val breaking: BreakingSpec? = null,
+    @EncodeDefault(EncodeDefault.Mode.NEVER) override val sources: List<SourceSpec> = emptyList(),
     /** From a [ResolvedScenario] that was written to a file; a new initial state has its own. */
     internal val firstBody: Int? = null,
 ) : ScenarioParts {

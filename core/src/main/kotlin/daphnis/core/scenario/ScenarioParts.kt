@@ -44,6 +44,9 @@ public interface ScenarioParts {
     /** Which impacts break spheres; null for none. */
     public val breaking: BreakingSpec?
 
+    /** Where spheres come and leave. */
+    public val sources: List<SourceSpec>
+
     /** Spins at the start; null for none, or those of a file. */
     public val spins: SpinsSpec?
 
@@ -114,6 +117,7 @@ public interface ScenarioParts {
         val isAtRest = boundary.repeatsAtRest && frame == null && growth == null
         if (!isAtRest || forces.isNotEmpty() || bodies.isNotEmpty()) return null
         if (interactions.isNotEmpty() || merging != null || breaking != null || bonds != null) return null
+        if (sources.isNotEmpty()) return null
         val coefficients = impacts.map { impact ->
             impact.restitution!!.constant?.takeIf { impact.roughness?.isSmooth != false }
         }

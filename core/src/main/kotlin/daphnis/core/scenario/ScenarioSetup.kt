@@ -29,6 +29,7 @@ import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.ThreadHandler
 import daphnis.core.population.Population
 import daphnis.core.potential.PairInteractions
+import daphnis.core.source.Sources
 import daphnis.core.surface.ContactLaw
 import daphnis.core.surface.Roughness
 import kotlin.math.sqrt
@@ -62,6 +63,8 @@ public class ScenarioSetup private constructor(
     public val mergeRule: MergeRule?,
     /** Which impacts break spheres; null for none. */
     public val breakRule: BreakRule?,
+    /** Where spheres come and leave; null for nowhere. */
+    public val sources: Sources?,
 ) {
     /** Angular speed of the frame in radians per unit of time; null without a frame. */
     public val angularSpeed: Double? get() = frequencies?.omega
@@ -187,8 +190,11 @@ public class ScenarioSetup private constructor(
             checkSteps(resolved, first, check)
             if (state == null) GrowthSetup(scenario, check).checkStart(population, around.box, first, around.end)
             val then = boundary.at(scenario.startTime)
-            val startCheck =
-                StartCheck(scenario, population, then, forceSetup.places, check, around.end, laws.interactions)
+            val sources = SourceSetup(scenario, around, boundary, materials, check).sources
+            val startCheck = StartCheck(
+                scenario, population, then, forceSetup.places, check, around.end, laws.interactions,
+                sources?.largest ?: 0.0,
+            )
             if (state == null) startCheck.check(timeStep, isPlaced) else startCheck.checkRooms()
             if (state == null && (isPlaced || timeStep is FixedTimeStep)) {
                 val likeThem = forces().forces
@@ -199,7 +205,7 @@ public class ScenarioSetup private constructor(
                 resolved, population, boundary, laws.restitution, guard,
                 forceSetup.forces + listOfNotNull(laws.interactions?.let { PairEnergy(PairStates(it)) }), timeStep,
                 around.frequencies, initial.notices, laws.roughness, forceSetup.places,
-                laws.interactions, laws.mergeRule, laws.breakRule,
+                laws.interactions, laws.mergeRule, laws.breakRule, sources,
             )
         }
 
