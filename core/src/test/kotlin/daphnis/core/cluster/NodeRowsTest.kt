@@ -92,7 +92,7 @@ class NodeRowsTest {
     }
 
     @ParameterizedTest
-    @EnumSource(names = ["BODIES", "TREE", "MESH", "GROWING", "PISTONS", "STEPPED", "MERGING", "BREAKING"])
+    @EnumSource(names = ["BODIES", "TREE", "MESH", "GROWING", "PISTONS", "STEPPED", "MERGING", "BREAKING", "EXCHANGED"])
     fun `rows are the same where nodes die, and what all nodes find together is found again`(case: RowCase) {
         val expected = serial(case, "output.checkpointEvery=4")
         val random = Random(case.ordinal.toLong())
@@ -116,7 +116,7 @@ class NodeRowsTest {
     }
 
     @ParameterizedTest
-    @EnumSource(names = ["TREE", "MESH", "GROWING", "PISTONS", "STEPPED", "MERGING", "BREAKING"])
+    @EnumSource(names = ["TREE", "MESH", "GROWING", "PISTONS", "STEPPED", "MERGING", "BREAKING", "EXCHANGED"])
     fun `a run goes on with other nodes and without any, from what each has saved`(case: RowCase) {
         val expected = serial(case, "output.checkpointEvery=2")
         val run = scenario(case, arrayOf("output.checkpointEvery=2", "engine.name=serial"))

@@ -23,6 +23,7 @@ import daphnis.core.hill.Epicycle
 import daphnis.core.hill.HillFrame
 import daphnis.core.hill.HillSheet
 import daphnis.core.hill.Satellite
+import daphnis.core.initial.EqualSizes
 import daphnis.core.initial.Lattice
 import daphnis.core.initial.LatticePlacement
 import daphnis.core.initial.PlacementException
@@ -34,6 +35,12 @@ import daphnis.core.merging.MergeRule
 import daphnis.core.orbit.OrbitalFrequencies
 import daphnis.core.population.Population
 import daphnis.core.search.SearchStructure
+import daphnis.core.source.Inflow
+import daphnis.core.source.Outflow
+import daphnis.core.source.Reservoir
+import daphnis.core.source.Source
+import daphnis.core.source.Sources
+import daphnis.core.source.Supply
 import daphnis.core.surface.BridgesRestitution
 import daphnis.core.surface.ConstantRestitution
 
@@ -92,6 +99,25 @@ class Draw(override val seed: Long) : Case {
     /** In some spheres break that meet fast. */
     private val breakRule = BreakRule(1.5, 2 + (seed % 5).toInt(), 0.3, 0.4 * radii.average(), seed)
         .takeIf { (seed % 12 == 5L || seed % 12 == 9L) && interactions == null && !population.hasSpin }
+
+    /** In some spheres come and leave, where the ends of the box are. */
+    private val sources: List<Source> = if (seed % 9 != 4L || interactions != null) emptyList() else drawSources()
+
+    private fun drawSources(): List<Source> {
+        val sink = Outflow(part(0.6, 0.7))
+        if (boundary.shear != null || boundary.meanFlow != null) return listOf(sink)
+        val supply = Supply(EqualSizes(radii.min()), radii.min(), mass = radii.min() * radii.min() * radii.min())
+        val gas = Reservoir(part(0.0, 0.3), 0.15, 1.0, supply, trials = 30)
+        val stream = Inflow(part(0.75, 1.0), 3 / dt, listOf(0.5, 0.0, 0.0), 0.5, supply)
+        if (boundary === Open || boundary.contactFaces(0) == ContactFaces.OPEN) return listOf(gas, sink, stream)
+        return listOf(gas, sink, stream, Inflow(box, 2 / dt, listOf(0.0, 0.0, 0.0), 1.0, supply, through = 1))
+    }
+
+    /** The box from one part of its length along x to another. */
+    private fun part(from: Double, to: Double): Box {
+        fun at(part: Double) = if (part == 1.0) box.upperX else box.lowerX + part * box.length(0)
+        return Box(at(from), box.lowerY, box.lowerZ, at(to), box.upperY, box.upperZ)
+    }
 
     private fun Population.fillingNow() = if (clumped) maxOf(filling, 0.2) else filling
 
@@ -201,7 +227,7 @@ class Draw(override val seed: Long) : Case {
 
     /** In some of the boxes that repeat spheres grow or shrink. */
     private fun around(): BoundaryConditions {
-        if (interactions != null || mergeRule != null || breakRule != null) return boundary
+        if (interactions != null || mergeRule != null || breakRule != null || sources.isNotEmpty()) return boundary
         val isWhole = boundary is Periodic && (0..2).all { boundary.hasImages(it) }
         if (!isWhole || seed % 4 == 0L) return boundary
         val most = if (filling < 0.2 && !clumped) 0.05 else 0.002
@@ -225,6 +251,7 @@ class Draw(override val seed: Long) : Case {
         FixedTimeStep(dt),
         forces(),
         startTime = if (isPerturbed) phaseTime else 0.0,
+        sources = if (sources.isEmpty()) null else Sources(sources, seed),
     )
 
     /**
@@ -259,5 +286,6 @@ class Draw(override val seed: Long) : Case {
             }.joinToString(
                 "",
             )}, dt $dt$surface${if (interactions != null) ", with steps" else ""}" +
-            (if (mergeRule != null) ", merging" else "") + (if (breakRule != null) ", breaking" else "")
+            (if (mergeRule != null) ", merging" else "") + (if (breakRule != null) ", breaking" else "") +
+            (if (sources.isNotEmpty()) ", ${sources.size} sources" else "")
 }
