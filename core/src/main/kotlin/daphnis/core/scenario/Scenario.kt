@@ -71,6 +71,9 @@ public data class Scenario @JvmOverloads constructor(
     /** From a [ResolvedScenario] that was written to a file; a new initial state has its own. */
     internal val firstBody: Int? = null,
 ) : ScenarioParts {
+    /** [sources] with what they bring, also where that follows from [particles]. */
+    internal val settledSources: List<SourceSpec> get() = sources.map { it.settled(particles) }
+
     /**
      * Id of the first of [bodies], or [Int.MAX_VALUE] without any: from this file of a run, or for an initial state of
      * [spheres] spheres.

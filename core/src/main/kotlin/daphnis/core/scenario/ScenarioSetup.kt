@@ -183,7 +183,10 @@ public class ScenarioSetup private constructor(
             val boundary = forceSetup.boundary
             val guardSpec = (scenario.guard ?: defaultGuard(scenario)).settled(rmsSpeed(population), check)
             val timeStepSpec = around.timeStep.settled(around, population)
-            val settled = scenario.copy(placement = scenario.placement.settled(boundary.space))
+            val settled = scenario.copy(
+                placement = scenario.placement.settled(boundary.space),
+                sources = scenario.settledSources,
+            )
             val resolved = ResolvedScenario(settled, around.end, guardSpec, timeStepSpec, firstBody, output)
             val timeStep = timeStepSpec.timeStep(resolved, boundary, GrowthSetup(scenario, check).longest(), check)
             val first = timeStep.next(population)

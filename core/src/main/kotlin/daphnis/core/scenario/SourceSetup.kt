@@ -3,7 +3,6 @@ package daphnis.core.scenario
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.isChanging
-import daphnis.core.initial.SizesSpec
 import daphnis.core.input.ValueCheck
 import daphnis.core.source.Sources
 import daphnis.core.source.Supply
@@ -17,7 +16,7 @@ internal class SourceSetup(
     materials: Materials,
     check: ValueCheck,
 ) {
-    val sources: Sources? = scenario.sources.takeIf { it.isNotEmpty() }?.let { specs ->
+    val sources: Sources? = scenario.settledSources.takeIf { it.isNotEmpty() }?.let { specs ->
         fun need(isMet: Boolean, what: String) = check.must("sources", isMet) { "need $what" }
         need(scenario.bodies.isEmpty(), "spheres without bodies, which have the highest ids")
         need(scenario.interactions.isEmpty() && scenario.bonds == null, "spheres without interaction and bonds")
@@ -109,30 +108,20 @@ public class SourcePlace internal constructor(
         return face
     }
 
-    /** The sizes of spheres of [material]: those that are [given], or those of the scenario. */
-    internal fun sizes(given: SizesSpec?, material: String?): SizesSpec = given ?: kind(material)?.sizes
-        ?: scenario.particles?.sizes
-        ?: check.fail("$key.sizes", "is missing; particles have none that could be meant")
-
-    private fun kind(material: String?): MaterialSpec? = scenario.particles?.materials?.let { all ->
-        if (material == null) all.first() else all.find { it.name == material }
-    }
-
-    /** What spheres are like of which these things are said. */
-    internal fun supply(sizes: SizesSpec?, density: Double?, mass: Double?, material: String?): Supply {
-        if (material != null) {
-            check.that("$key.material", material, material in materials) {
-                if (materials.isEmpty()) "must be left out, since spheres have no materials" else
-                    "must be one of ${materials.joinToString()}"
+    /** The spheres that are [given]. */
+    internal fun supply(given: SupplySpec): Supply {
+        val its = "$key.particles"
+        given.material?.let { name ->
+            check.that("$its.material", name, name in materials) {
+                val known = if (materials.isEmpty()) "there is none" else "known: ${materials.joinToString()}"
+                "must be a material of the scenario; $known"
             }
         }
-        val own = sizes(sizes, material)
-        check.must("$key.sizes", !own.isInOrder) { "are a list, which has an order; spheres that come are drawn" }
-        val like = kind(material)
-        val isSaid = density != null || mass != null
-        val itsDensity = density ?: like?.density ?: scenario.particles?.density ?: 1.0
-        val itsMass = if (isSaid) mass else if (like != null) like.mass else scenario.particles?.mass
-        val kind = SphereKind.of(key, own, itsDensity, itsMass, space, check)
-        return Supply(kind.sizes, kind.most, itsDensity, itsMass, maxOf(0, materials.indexOf(material)))
+        val sizes = given.sizes
+            ?: check.fail("$its.sizes", "is missing; the scenario has no particles of which these could be some")
+        check.must("$its.sizes", !sizes.isInOrder) { "are a list, which has an order; spheres that come are drawn" }
+        val density = given.density ?: 1.0
+        val kind = SphereKind.of(its, sizes, density, given.mass, space, check)
+        return Supply(kind.sizes, kind.most, density, given.mass, maxOf(0, materials.indexOf(given.material)))
     }
 }

@@ -16,6 +16,9 @@ public sealed interface SourceSpec {
     /** Whether spheres leave here. */
     public val takes: Boolean get() = true
 
+    /** The same with what it brings as spheres of [particles], where it does not say what these are. */
+    public fun settled(particles: ParticlesSpec?): SourceSpec = this
+
     /** The source at [place], with its values checked. @throws daphnis.core.input.InputException for what is wrong */
     public fun source(place: SourcePlace): Source
 
@@ -32,8 +35,7 @@ public sealed interface SourceSpec {
     }
 
     /**
-     * See [Inflow]. What is not said of the spheres is as that of the scenario's `particles`, or of the one of their
-     * materials that is named.
+     * See [Inflow].
      *
      * @property sigma standard deviation of each component of the velocity
      * @property through name of the face through which they come; null where they come in the whole region
@@ -46,12 +48,12 @@ public sealed interface SourceSpec {
         public val velocity: List<Double> = listOf(0.0, 0.0, 0.0),
         public val sigma: Double = 0.0,
         public val through: String? = null,
-        public val sizes: SizesSpec? = null,
-        public val density: Double? = null,
-        public val mass: Double? = null,
-        public val material: String? = null,
+        public val particles: SupplySpec = SupplySpec(),
     ) : SourceSpec {
         override val takes: Boolean get() = false
+
+        override fun settled(particles: ParticlesSpec?): InflowSpec =
+            InflowSpec(rate, region, velocity, sigma, through, this.particles.settled(particles))
 
         override fun source(place: SourcePlace): Source {
             val check = place.check
@@ -67,8 +69,7 @@ public sealed interface SourceSpec {
             check.inSpace("$key.velocity", velocity, place.space)
             check.that("$key.sigma", sigma, sigma in 0.0..ValueCheck.MOST) { "must be at least 0" }
             val face = through?.let { place.face(it, velocity, sigma, region) } ?: -1
-            val supply = place.supply(sizes, density, mass, material)
-            return Inflow(place.box(region, brings = true), rate, velocity, sigma, supply, face)
+            return Inflow(place.box(region, brings = true), rate, velocity, sigma, place.supply(particles), face)
         }
 
         override fun inWords(say: Quantities): String {
@@ -88,7 +89,7 @@ public sealed interface SourceSpec {
         }
     }
 
-    /** See [Reservoir]. What is not said of the spheres is as for [InflowSpec]. */
+    /** See [Reservoir]. */
     @Serializable
     @SerialName("reservoir")
     public class ReservoirSpec @JvmOverloads constructor(
@@ -96,11 +97,11 @@ public sealed interface SourceSpec {
         public val temperature: Double,
         public val region: RegionSpec = RegionSpec(),
         public val trials: Int? = null,
-        public val sizes: SizesSpec? = null,
-        public val density: Double? = null,
-        public val mass: Double? = null,
-        public val material: String? = null,
+        public val particles: SupplySpec = SupplySpec(),
     ) : SourceSpec {
+        override fun settled(particles: ParticlesSpec?): ReservoirSpec =
+            ReservoirSpec(fillingFactor, temperature, region, trials, this.particles.settled(particles))
+
         override fun source(place: SourcePlace): Source {
             val check = place.check
             val key = place.key
@@ -112,9 +113,8 @@ public sealed interface SourceSpec {
             }
             check.positive("$key.temperature", temperature)
             trials?.let { check.that("$key.trials", it, it in 1..MOST_TRIALS) { "must be in 1..$MOST_TRIALS" } }
-            val supply = place.supply(sizes, density, mass, material)
-            val isOne = place.sizes(sizes, material).radius != null
-            check.must("$key.sizes", isOne) { "must be those of equal spheres, whose chemical potential is known" }
+            val supply = place.supply(particles)
+            check.must("$key.particles.sizes", particles.sizes?.radius != null) { "must be those of equal spheres, whose chemical potential is known" }
             return Reservoir(place.box(region, brings = true), filling, temperature, supply, trials ?: 0).also {
                 check.that("$key.fillingFactor", filling, it.expected <= MOST_TRIALS) {
                     "makes ${it.expected} spheres in the region; $MOST_TRIALS are possible"
@@ -129,6 +129,33 @@ public sealed interface SourceSpec {
         private companion object {
             const val MOST_TRIALS = 100_000_000
         }
+    }
+}
+
+/**
+ * What spheres are like that come. What is left out is as that of the scenario's particles, or of the [material] among
+ * them.
+ *
+ * @property density mass per volume, unless [mass] is given
+ * @property material name of one of the materials of the scenario; the first where it has any and none is named
+ */
+@Serializable
+public class SupplySpec @JvmOverloads constructor(
+    public val sizes: SizesSpec? = null,
+    public val density: Double? = null,
+    public val mass: Double? = null,
+    public val material: String? = null,
+) {
+    /** The same with all that is left out. */
+    internal fun settled(particles: ParticlesSpec?): SupplySpec {
+        val like = particles?.materials?.let { all -> all.find { it.name == material } ?: all[0] }
+        val isSaid = density != null || mass != null
+        return SupplySpec(
+            sizes ?: if (like == null) particles?.sizes else like.sizes,
+            density ?: if (isSaid) null else if (like == null) particles?.density else like.density,
+            mass ?: if (isSaid) null else if (like == null) particles?.mass else like.mass,
+            material,
+        )
     }
 }
 

@@ -190,7 +190,7 @@ enum class RowCase(text: String, internal val check: (List<List<String>>) -> Uni
         {"type": "reservoir", "region": {"x": [-4.5, 0.5]}, "fillingFactor": 0.15, "temperature": 2},
         {"type": "outflow", "region": {"x": [0, 2], "y": [-3, 4]}},
         {"type": "inflow", "rate": 200, "region": {"x": [-4.5, 4.5], "y": [2, 4.5]}, "velocity": [1, 0, 0],
-        "sigma": 0.5, "sizes": {"type": "power-law", "minimum": 0.1, "maximum": 0.5, "exponent": 3}, "density": 2},
+        "sigma": 0.5, "particles": {"sizes": {"type": "power-law", "minimum": 0.1, "maximum": 0.5, "exponent": 3}, "density": 2}},
         {"type": "inflow", "rate": 200, "through": "upperZ", "sigma": 3}], $GAS""",
         { rows ->
             for (k in 0..3) assertNotEquals("0", rows.column("source${k}_${if (k == 1) "left" else "came"}").last())
