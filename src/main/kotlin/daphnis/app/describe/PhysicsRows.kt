@@ -155,6 +155,7 @@ internal class PhysicsRows(private val setup: ScenarioSetup, private val say: Qu
         scenario.bonds?.let { rows.add("bonds", it.inWords()) }
         scenario.merging?.let { rows.add("merging", it.inWords(say)) }
         scenario.breaking?.let { rows.add("breaking", it.inWords(say)) }
+        scenario.sources.forEachIndexed { k, source -> rows.add("sources", "[$k] ${source.inWords(say)}") }
         rows.add("guard", scenario.guard.inWords(say))
     }
 

@@ -10,11 +10,14 @@ import daphnis.core.source.Source
 import kotlinx.serialization.SerialName
 import kotlinx.serialization.Serializable
 
-/** Where spheres come or leave, as a scenario describes it. */
+/** Where spheres come or leave, as a scenario describes it; `toString` is the name. */
 @Serializable
 public sealed interface SourceSpec {
     /** Whether spheres leave here. */
     public val takes: Boolean get() = true
+
+    /** Whether spheres come here. */
+    public val brings: Boolean get() = true
 
     /** The same with what it brings as spheres of [particles], where it does not say what these are. */
     public fun settled(particles: ParticlesSpec?): SourceSpec = this
@@ -29,7 +32,11 @@ public sealed interface SourceSpec {
     @Serializable
     @SerialName("outflow")
     public class OutflowSpec @JvmOverloads constructor(public val region: RegionSpec = RegionSpec()) : SourceSpec {
+        override val brings: Boolean get() = false
+
         override fun source(place: SourcePlace): Source = Outflow(place.box(region, brings = false))
+
+        override fun toString(): String = "outflow"
 
         override fun inWords(say: Quantities): String = "outflow${region.inWords(say)}"
     }
@@ -71,6 +78,8 @@ public sealed interface SourceSpec {
             val face = through?.let { place.face(it, velocity, sigma, region) } ?: -1
             return Inflow(place.box(region, brings = true), rate, velocity, sigma, place.supply(particles), face)
         }
+
+        override fun toString(): String = "inflow"
 
         override fun inWords(say: Quantities): String {
             val stream = if (velocity.any { it != 0.0 }) {
@@ -121,6 +130,8 @@ public sealed interface SourceSpec {
                 }
             }
         }
+
+        override fun toString(): String = "reservoir"
 
         override fun inWords(say: Quantities): String =
             "reservoir${region.inWords(say)} with a filling factor of ${Quantities.number(fillingFactor)} at a " +
