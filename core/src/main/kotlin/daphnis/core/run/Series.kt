@@ -243,7 +243,14 @@ public object SeriesColumns : TableColumns {
      */
     @JvmStatic
     public fun exchanged(source: Int): List<String> = listOf(
-        "came", "left", "refused", "mass", "momentum_x", "momentum_y", "momentum_z", "energy",
+        "came",
+        "left",
+        "refused",
+        "mass",
+        "momentum_x",
+        "momentum_y",
+        "momentum_z",
+        "energy",
     ).map { "source${source}_$it" }
 
     private fun Columns<SeriesRow>.addExchanged(k: Int) {

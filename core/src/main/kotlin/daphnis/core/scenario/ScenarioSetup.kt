@@ -195,7 +195,13 @@ public class ScenarioSetup private constructor(
             val then = boundary.at(scenario.startTime)
             val sources = SourceSetup(scenario, around, boundary, materials, check).sources
             val startCheck = StartCheck(
-                scenario, population, then, forceSetup.places, check, around.end, laws.interactions,
+                scenario,
+                population,
+                then,
+                forceSetup.places,
+                check,
+                around.end,
+                laws.interactions,
                 sources?.largest ?: 0.0,
             )
             if (state == null) startCheck.check(timeStep, isPlaced) else startCheck.checkRooms()

@@ -24,7 +24,9 @@ internal class SourceSetup(
         val duration = around.end - scenario.startTime
         Sources(
             specs.mapIndexed { k, spec ->
-                spec.source(SourcePlace("sources[$k]", scenario, around.box, boundary, materials.names, duration, check))
+                spec.source(
+                    SourcePlace("sources[$k]", scenario, around.box, boundary, materials.names, duration, check),
+                )
             },
             scenario.seed,
         )
@@ -75,7 +77,9 @@ public class SourcePlace internal constructor(
             lower[axis] = range?.getOrNull(0) ?: all.lower(axis)
             upper[axis] = range?.getOrNull(1) ?: all.upper(axis)
             if (range == null) continue
-            check.that(its, range, range.size == 2 && range[0] < range[1]) { "must be two numbers, the lower one first" }
+            check.that(its, range, range.size == 2 && range[0] < range[1]) {
+                "must be two numbers, the lower one first"
+            }
             val isInside = range[0] >= boundary.box.lower(axis) && range[1] <= boundary.box.upper(axis)
             check.that(its, range, isInside && range.all { Math.abs(it) <= ValueCheck.MOST }) {
                 "must be within the box, ${boundary.box.lower(axis)} to ${boundary.box.upper(axis)}"

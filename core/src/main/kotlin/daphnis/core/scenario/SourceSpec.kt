@@ -123,7 +123,9 @@ public sealed interface SourceSpec {
             check.positive("$key.temperature", temperature)
             trials?.let { check.that("$key.trials", it, it in 1..MOST_TRIALS) { "must be in 1..$MOST_TRIALS" } }
             val supply = place.supply(particles)
-            check.must("$key.particles.sizes", particles.sizes?.radius != null) { "must be those of equal spheres, whose chemical potential is known" }
+            check.must("$key.particles.sizes", particles.sizes?.radius != null) {
+                "must be those of equal spheres, whose chemical potential is known"
+            }
             return Reservoir(place.box(region, brings = true), filling, temperature, supply, trials ?: 0).also {
                 check.that("$key.fillingFactor", filling, it.expected <= MOST_TRIALS) {
                     "makes ${it.expected} spheres in the region; $MOST_TRIALS are possible"
@@ -163,8 +165,20 @@ public class SupplySpec @JvmOverloads constructor(
         val isSaid = density != null || mass != null
         return SupplySpec(
             sizes ?: if (like == null) particles?.sizes else like.sizes,
-            density ?: if (isSaid) null else if (like == null) particles?.density else like.density,
-            mass ?: if (isSaid) null else if (like == null) particles?.mass else like.mass,
+            density ?: if (isSaid) {
+                null
+            } else if (like == null) {
+                particles?.density
+            } else {
+                like.density
+            },
+            mass ?: if (isSaid) {
+                null
+            } else if (like == null) {
+                particles?.mass
+            } else {
+                like.mass
+            },
             material,
         )
     }

@@ -102,7 +102,11 @@ public class Reservoir @JvmOverloads constructor(
             sphere.velocity[k] = sigma * random.nextGaussian()
         }
         val spread = step.spinSpread(sphere, temperature)
-        if (spread > 0) for (k in AXES - step.space.rotations until AXES) sphere.spin[k] = spread * random.nextGaussian()
+        if (spread >
+            0
+        ) {
+            for (k in AXES - step.space.rotations until AXES) sphere.spin[k] = spread * random.nextGaussian()
+        }
         return sphere
     }
 

@@ -45,7 +45,11 @@ class ReservoirsTest {
         val ends = reservoir(-6.0, -3.0, 0.1, ", \"trials\": 100") + "," + reservoir(3.0, 6.0, 0.1, ", \"trials\": 100")
         val number = ArrayList<Double>()
         val energy = ArrayList<Double>()
-        val text = gas(ends, if (fullPhysics) 4_000 else 600, 1).replace("\"type\": \"walls\", \"axes\": \"x\"", "\"type\": \"periodic\"")
+        val text = gas(
+            ends,
+            if (fullPhysics) 4_000 else 600,
+            1,
+        ).replace("\"type\": \"walls\", \"axes\": \"x\"", "\"type\": \"periodic\"")
         run(text) { it, _ ->
             val p = it.population
             number += p.size.toDouble()
@@ -103,7 +107,12 @@ class ReservoirsTest {
             val filling = n * 4 / 3 * PI * 1e-12
             val sources = """{"type": "outflow", "region": {"x": [2, 6]}},""" +
                 reservoir(-6.0, 2.0, filling, ", \"trials\": 4000, \"particles\": {$points}")
-            val text = gas(sources, 30, seed, filling).replace("\"sizes\": {\"type\": \"equal\", \"radius\": 0.5}", points)
+            val text = gas(
+                sources,
+                30,
+                seed,
+                filling,
+            ).replace("\"sizes\": {\"type\": \"equal\", \"radius\": 0.5}", points)
             val left = ArrayList<Double>()
             var energy = 0.0
             run(text) { it, sums ->

@@ -165,19 +165,30 @@ class SourcesScenarioTest {
             arrayOf(reservoir("\"temperature\": 1, \"fillingFactor\": 0.5")) to "sources[0].fillingFactor",
             arrayOf(reservoir("\"temperature\": 0, \"fillingFactor\": 0.1")) to "sources[0].temperature",
             arrayOf(reservoir("$gas, \"trials\": 0")) to "sources[0].trials",
-            arrayOf(reservoir("$gas, \"particles\": {\"sizes\": {\"type\": \"power-law\", \"minimum\": 0.1, " +
-                "\"maximum\": 0.2, \"exponent\": 3}}")) to "sources[0].particles.sizes: must be those of equal spheres",
+            arrayOf(
+                reservoir(
+                    "$gas, \"particles\": {\"sizes\": {\"type\": \"power-law\", \"minimum\": 0.1, " +
+                        "\"maximum\": 0.2, \"exponent\": 3}}",
+                ),
+            ) to "sources[0].particles.sizes: must be those of equal spheres",
             arrayOf(reservoir(gas), "forces=[{\"type\": \"uniform-acceleration\", \"acceleration\": [0, 0, -1]}]") to
                 "sources[0]: needs spheres on which no force acts",
             arrayOf(reservoir(gas), "merging={\"type\": \"always\"}") to "neither merge nor break",
             arrayOf(reservoir(gas), "boundary={\"type\": \"lees-edwards\", \"shearRate\": 1}") to "is not sheared",
             arrayOf(inflow("\"rate\": 1"), "boundary={\"type\": \"sheared-periodic\", \"velocityJump\": 1}") to
                 "sources[0]: needs a box that is not sheared",
-            arrayOf(inflow("\"rate\": 1"), "boundary.faces={\"upperZ\": {\"motion\": {\"type\": \"piston\", " +
-                "\"mass\": 9}}}") to "no pistons",
-            arrayOf("bodies=[{\"radius\": 1, \"position\": [0, 0, 0], \"mass\": 1}]") to "sources: need spheres without",
+            arrayOf(
+                inflow("\"rate\": 1"),
+                "boundary.faces={\"upperZ\": {\"motion\": {\"type\": \"piston\", " +
+                    "\"mass\": 9}}}",
+            ) to "no pistons",
+            arrayOf(
+                "bodies=[{\"radius\": 1, \"position\": [0, 0, 0], \"mass\": 1}]",
+            ) to "sources: need spheres without",
             arrayOf("interaction={\"type\": \"square-well\", \"ratio\": 1.2, \"depth\": 1}") to "sources: need",
-            arrayOf("bonds={\"length\": 2, \"greatest\": 1.2}") to "sources: need spheres without interaction and bonds",
+            arrayOf(
+                "bonds={\"length\": 2, \"greatest\": 1.2}",
+            ) to "sources: need spheres without interaction and bonds",
         )) {
             val e = assertThrows(InputException::class.java) { ScenarioSetup.of(scenario(*settings), "test") }
             assertTrue(words in e.message!!) { "${settings.toList()}: ${e.message}" }

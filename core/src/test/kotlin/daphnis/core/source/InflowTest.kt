@@ -25,8 +25,14 @@ class InflowTest {
     private val rest = listOf(0.0, 0.0, 0.0)
 
     private fun empty() = Population(
-        doubleArrayOf(), doubleArrayOf(), doubleArrayOf(), doubleArrayOf(), doubleArrayOf(), doubleArrayOf(),
-        doubleArrayOf(), doubleArrayOf(),
+        doubleArrayOf(),
+        doubleArrayOf(),
+        doubleArrayOf(),
+        doubleArrayOf(),
+        doubleArrayOf(),
+        doubleArrayOf(),
+        doubleArrayOf(),
+        doubleArrayOf(),
     )
 
     private fun stream(
@@ -101,7 +107,9 @@ class InflowTest {
             assertEquals(mean, v.average(), 4 * sqrt((square - mean * mean) / n)) { "face $face, u $u" }
             assertEquals(square, v.sumOf { it * it } / n, 4 * sqrt((fourth - square * square) / n))
             if (u > 0) continue
-            val energies = (0 until p.size).map { (p.vx[it] * p.vx[it] + p.vy[it] * p.vy[it] + p.vz[it] * p.vz[it]) / 2 }
+            val energies = (0 until p.size).map {
+                (p.vx[it] * p.vx[it] + p.vy[it] * p.vy[it] + p.vz[it] * p.vz[it]) / 2
+            }
             // 2T with variance 2T².
             assertEquals(2.0, energies.average(), 4 * sqrt(2 / n))
             // Each has flown for a part of the step that is uniform: ⟨v⟩ dt/2.

@@ -18,8 +18,14 @@ import kotlin.math.sqrt
 /** Reservoirs on spheres that rest, so that nothing but their trials is seen. */
 class ReservoirTest {
     private fun empty() = Population(
-        doubleArrayOf(), doubleArrayOf(), doubleArrayOf(), doubleArrayOf(), doubleArrayOf(), doubleArrayOf(),
-        doubleArrayOf(), doubleArrayOf(),
+        doubleArrayOf(),
+        doubleArrayOf(),
+        doubleArrayOf(),
+        doubleArrayOf(),
+        doubleArrayOf(),
+        doubleArrayOf(),
+        doubleArrayOf(),
+        doubleArrayOf(),
     )
 
     private fun supply(radius: Double, mass: Double = 1.0) = Supply(EqualSizes(radius), radius, mass = mass)
@@ -124,8 +130,10 @@ class ReservoirTest {
         repeat(200) { step ->
             sources.act(other, Partition.Whole, walls, 0.1 * step, 0.1, 0.4)
             assertEquals(1.5, other.radius[other.indexOf(0)])
-            for (axis in 0..2) for (k in 0 until other.size) {
-                assertTrue(abs(other.position(axis)[k]) <= 3 - other.radius[k])
+            for (axis in 0..2) {
+                for (k in 0 until other.size) {
+                    assertTrue(abs(other.position(axis)[k]) <= 3 - other.radius[k])
+                }
             }
         }
         assertTrue(other.size > 30) { "${other.size}" }

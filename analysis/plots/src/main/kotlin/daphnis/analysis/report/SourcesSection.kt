@@ -26,7 +26,9 @@ internal class SourcesSection(private val study: Study) : Section {
 
     override val heading = "Sources and sinks"
     override val applies: Boolean = sources.isNotEmpty()
-    override val over: String get() = "Figures show the whole run, numbers are from time ${study.time(study.from)} on. " +
+    override val over: String get() = "Figures show the whole run, numbers are from time ${study.time(
+        study.from,
+    )} on. " +
         "Sources are counted as in the scenario, from 0."
     override val leftOut: String? =
         if (series != null) null else "the run has written no time series of two rows; see output.seriesEvery"
@@ -47,7 +49,13 @@ internal class SourcesSection(private val study: Study) : Section {
         table.average("particles", "number of ${study.bodies} N", BlockAverage.of(number), "")
         val squares = DoubleArray(rows.size) { number[it] * number[it] }
         val spread = BlockAverage.of(arrayOf(number, squares)) { means -> (means[1] - means[0] * means[0]) / means[0] }
-        table.average("particle_fluctuations", "⟨δN²⟩/⟨N⟩", spread, "", "n kT κ_T of a gas in a box that is all in contact")
+        table.average(
+            "particle_fluctuations",
+            "⟨δN²⟩/⟨N⟩",
+            spread,
+            "",
+            "n kT κ_T of a gas in a box that is all in contact",
+        )
         val time = DoubleArray(rows.size - 1) { s[TIME][rows[it + 1]] - s[TIME][rows[it]] }
         for ((k, source) in sources.withIndex()) add(table, k, source, time)
         return table.list()
