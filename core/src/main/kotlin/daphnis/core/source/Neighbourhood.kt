@@ -1,6 +1,7 @@
 package daphnis.core.source
 
 import daphnis.core.boundary.Box
+import daphnis.core.growth.GrowingTable
 import daphnis.core.space.Images
 import kotlin.math.abs
 import kotlin.math.ceil
@@ -8,7 +9,7 @@ import kotlin.math.floor
 
 /**
  * Spheres in and around a part of space, in cells, which can be asked whether there is room for one more. Spheres come
- * and go; each has a number, counted from 0.
+ * and go; each has a number, counted from 0, which is no other's later.
  *
  * @param reach the greatest distance of two centres at which spheres can overlap
  * @param expected how many spheres there will be, about
@@ -20,7 +21,7 @@ internal class Neighbourhood(
     expected: Int,
     images: Images,
     box: Box,
-) {
+) : GrowingTable() {
     private val period = DoubleArray(AXES) { images.period(it) }
     private val from = DoubleArray(AXES) { if (period[it] > 0) box.lower(it) else lower[it] - reach }
     private val span = DoubleArray(AXES) {
@@ -28,20 +29,23 @@ internal class Neighbourhood(
     }
     private val cells = IntArray(AXES) { axis -> if (reach > 0) (span[axis] / reach).coerceIn(1.0, 1e6).toInt() else 1 }
     private val heads: IntArray
-    private var next = IntArray(maxOf(expected, FEW))
-    private var spheres = DoubleArray(SPHERE * next.size)
-    private var ids = IntArray(next.size)
-    private var own = BooleanArray(next.size)
-
-    /** How many numbers spheres have had. */
-    var size = 0
-        private set
+    private var next = IntArray(0)
+    private var spheres = DoubleArray(0)
+    private var ids = IntArray(0)
+    private var own = BooleanArray(0)
 
     init {
         while (cells.fold(1.0) { all, it -> all * it } > PER_SPHERE * (expected + FEW)) {
             for (axis in 0 until AXES) cells[axis] = ceil(cells[axis] / 2.0).toInt()
         }
         heads = IntArray(cells[0] * cells[1] * cells[2]) { NONE }
+    }
+
+    override fun resize(room: Int) {
+        next = next.copyOf(room)
+        spheres = spheres.copyOf(SPHERE * room)
+        ids = ids.copyOf(room)
+        own = own.copyOf(room)
     }
 
     fun id(number: Int): Int = ids[number]
@@ -52,13 +56,7 @@ internal class Neighbourhood(
 
     /** Adds a sphere at [at]. @return its number */
     fun add(id: Int, at: DoubleArray, radius: Double, isOwn: Boolean): Int {
-        val number = size++
-        if (number == next.size) {
-            next = next.copyOf(2 * number)
-            spheres = spheres.copyOf(2 * SPHERE * number)
-            ids = ids.copyOf(2 * number)
-            own = own.copyOf(2 * number)
-        }
+        val number = append()
         at.copyInto(spheres, SPHERE * number)
         spheres[SPHERE * number + AXES] = radius
         ids[number] = id
