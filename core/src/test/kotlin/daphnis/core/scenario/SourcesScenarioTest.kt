@@ -36,8 +36,16 @@ class SourcesScenarioTest {
 
     @Test
     fun `number, mass, momentum and energy are what came less what left, in each row`() {
-        run("budget")
-        val rows = series("budget")
+        run("smooth")
+        assertBudget(series("smooth"))
+        // Perfectly rough spheres keep their energy, too.
+        run("rough", null, "roughness={\"type\": \"constant\", \"coefficient\": 1}")
+        val rows = series("rough")
+        assertTrue(rows.getValue("rotational_energy").last() > 10)
+        assertBudget(rows)
+    }
+
+    private fun assertBudget(rows: Map<String, List<Double>>) {
         var exchanged = 0.0
         for (k in rows.getValue("time").indices) {
             fun all(what: String) = (0..3).sumOf { rows.getValue("source${it}_$what")[k] }

@@ -141,6 +141,22 @@ class ReservoirTest {
     }
 
     @Test
+    fun `spheres that spin come with the spins of the gas, and their energy is counted`() {
+        val box = Box.centred(6.0, 6.0, 6.0)
+        val none = doubleArrayOf()
+        val p = empty().withSpin(none, none, none)
+        val sources = Sources(listOf(Reservoir(box, 0.2, 2.0, supply(0.3, mass = 0.5), trials = 4_000)), 7)
+        sources.act(p, Partition.Whole, Periodic(box), 0.1, 0.1, 0.4)
+        val n = p.size
+        assertTrue(n > 200) { "$n" }
+        val inertia = 0.4 * 0.5 * 0.3 * 0.3
+        val squares = (0 until n).sumOf { p.wx[it] * p.wx[it] + p.wy[it] * p.wy[it] + p.wz[it] * p.wz[it] }
+        assertEquals(2.0, inertia * squares / (3 * n), 4 * 2 * sqrt(2.0 / (3 * n)))
+        val motion = (0 until n).sumOf { p.vx[it] * p.vx[it] + p.vy[it] * p.vy[it] + p.vz[it] * p.vz[it] }
+        assertEquals((0.5 * motion + inertia * squares) / 2, sources.sums.energy(0), 1e-9)
+    }
+
+    @Test
     fun `what is drawn follows from seed, place in the list and time alone`() {
         val box = Box.centred(6.0, 6.0, 6.0)
         val reservoir = Reservoir(box, 0.1, 1.0, supply(0.5), trials = 50)

@@ -59,7 +59,11 @@ class SourcesReportTest {
         val table = Files.readAllLines(path.resolve("tables/exchanged.csv")).map { it.split(',') }
         val last = table.last().map { it.toDouble() }
         assertEquals(table[1][1].toDouble() + last[2] - last[3] + last[4] - last[5], last[1])
-        for (plot in listOf("particles", "exchanged")) assertTrue(Files.exists(path.resolve("plots/$plot.svg"))) { plot }
+        for (plot in listOf("particles", "exchanged")) {
+            assertTrue(Files.exists(path.resolve("plots/$plot.svg"))) {
+                plot
+            }
+        }
         assertEquals(
             rows.keys.count { it.startsWith("source") },
             Analysis(AnalysisInput.ofRun(path), AnalysisOptions(from = 20.0)).numbers().count { "source" in it.key },
