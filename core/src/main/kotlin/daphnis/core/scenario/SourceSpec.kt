@@ -140,7 +140,7 @@ public sealed interface SourceSpec {
                 "temperature of ${say.energy(temperature)}" + trials?.let { ", $it trials per step" }.orEmpty()
 
         private companion object {
-            const val MOST_TRIALS = 100_000_000
+            const val MOST_TRIALS = 10_000_000
         }
     }
 }

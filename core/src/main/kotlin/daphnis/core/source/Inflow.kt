@@ -45,6 +45,9 @@ public class Inflow @JvmOverloads constructor(
     override val largest: Double get() = supply.largest
 
     override fun act(step: SourceStep) {
+        require(rate * step.duration <= MOST_AT_ONCE) {
+            "a stream brings ${rate * step.duration} spheres in a step; $MOST_AT_ONCE are possible"
+        }
         val drawn = ArrayList<Newcomer>()
         var time = -StrictMath.log(1 - step.random.nextDouble()) / rate
         while (time < step.duration) {
@@ -105,5 +108,6 @@ public class Inflow @JvmOverloads constructor(
     private companion object {
         const val AXES = 3
         const val NO_ID = -1
+        const val MOST_AT_ONCE = 1e7
     }
 }

@@ -153,5 +153,6 @@ class InflowTest {
         fails(1.0, listOf(-1.0, 0.0, 0.0), 1.0, 0)
         fails(1.0, listOf(1.0, 0.0, 0.0), 1.0, 1)
         fails(1.0, rest, 1.0, 6)
+        assertThrows(IllegalArgumentException::class.java) { stream(Inflow(box, 2e8, rest, 1.0, point), 1, 1) }
     }
 }
