@@ -77,7 +77,8 @@ def simulation_of(
     outputs = java("java.util.ArrayList")()
     if time_step is None:
         time_step = setup.getTimeStep()
-    return java("daphnis.core.Simulation")(population, setup.getBoundary(), collisions, time_step, every, outputs, time)
+    parts = (population, setup.getBoundary(), collisions, time_step, every, outputs)
+    return java("daphnis.core.Simulation")(*parts, time, 0, None, setup.getSources())
 
 
 class Program:

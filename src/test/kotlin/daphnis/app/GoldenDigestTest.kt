@@ -67,7 +67,15 @@ class GoldenDigestTest {
             val setup = ScenarioSetup.of(scenario, name)
             val engine = make()
             val forcing = setup.collisions(engine)
-            val digest = Simulation(setup.population, setup.boundary, forcing, setup.timeStep, setup.forces).use {
+            val simulation = Simulation(
+                setup.population,
+                setup.boundary,
+                forcing,
+                setup.timeStep,
+                setup.forces,
+                sources = setup.sources,
+            )
+            val digest = simulation.use {
                 while (if (steps != null) it.step < steps else it.time < setup.scenario.end * (1 - SLACK)) it.advance()
                 stateDigest(it.population)
             }

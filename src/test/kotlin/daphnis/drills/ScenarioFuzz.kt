@@ -84,6 +84,7 @@ private fun twoSteps(file: Path, counts: FuzzCounts) {
             setup.timeStep,
             setup.forces,
             startTime = scenario.startTime,
+            sources = setup.sources,
         ).use { simulation ->
             repeat(2) { simulation.advance() }
         }

@@ -11,6 +11,7 @@ import daphnis.core.parallel.InlineLoop
 import daphnis.core.population.Conserved
 import daphnis.core.population.Partition
 import daphnis.core.population.Population
+import daphnis.core.source.Sources
 
 /**
  * The loop: a population, boundary conditions, collisions, a list of forces and a list of outputs, advanced one step at
@@ -22,7 +23,7 @@ import daphnis.core.population.Population
  * ```
  *
  * One step: forces act for its first half · spheres drift with every collision in time order · boundary conditions ·
- * forces act for its second half ([StepPhases]) · outputs are called. Not thread-safe: one thread calls; an engine may
+ * forces act for its second half · sources and sinks ([StepPhases]) · outputs are called. Not thread-safe: one thread calls; an engine may
  * use more within [advance].
  *
  * @param collisions null for spheres that pass through one another
@@ -32,6 +33,7 @@ import daphnis.core.population.Population
  * @param elsewhere computes the steps in place of this process
  * @param clock gives the times after fixed steps; null for one that begins at [runStart]
  * @param partition says where the other spheres are, on a node that has a part of them
+ * @param sources where spheres come and leave; null for none
  */
 public class Simulation internal constructor(
     population: Population,
@@ -46,6 +48,7 @@ public class Simulation internal constructor(
     elsewhere: RemoteSteps?,
     clock: Clock?,
     partition: Partition,
+    internal val sources: Sources?,
 ) : AutoCloseable {
     @JvmOverloads
     public constructor(
@@ -58,6 +61,7 @@ public class Simulation internal constructor(
         startTime: Double = 0.0,
         startStep: Long = 0,
         runStart: Double? = null,
+        sources: Sources? = null,
     ) : this(
         population,
         boundary,
@@ -71,6 +75,7 @@ public class Simulation internal constructor(
         null,
         null,
         Partition.Whole,
+        sources,
     ) {
         if (collisions != null && startStep == 0L) collisions.isStartUnchecked = true
     }
@@ -135,7 +140,10 @@ public class Simulation internal constructor(
     internal val workforce: Workforce? = elsewhere ?: collisions?.engine
     private val loop = ClosableLoop(workforce?.loop ?: InlineLoop, CLOSED)
     private val steps: Steps =
-        elsewhere ?: LocalSteps(StepPhases(population, boundary, collisions, this.forces, loop, partition), timeStep)
+        elsewhere ?: LocalSteps(
+            StepPhases(population, boundary, collisions, this.forces, loop, partition, sources),
+            timeStep,
+        )
     private var opened = false
     private var busy = false
 

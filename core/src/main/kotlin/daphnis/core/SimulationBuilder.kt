@@ -5,6 +5,7 @@ import daphnis.core.engine.CollisionForcing
 import daphnis.core.force.Force
 import daphnis.core.force.Kick
 import daphnis.core.population.Population
+import daphnis.core.source.Sources
 import daphnis.core.surface.ContactLaw
 import daphnis.core.surface.Restitution
 
@@ -32,6 +33,7 @@ public class SimulationBuilder internal constructor(private val population: Popu
     private var startTime = 0.0
     private var startStep = 0L
     private var runStart: Double? = null
+    private var sources: Sources? = null
 
     /** What happens at the faces of the box. */
     public fun boundary(boundary: BoundaryConditions): SimulationBuilder = apply { this.boundary = boundary }
@@ -59,6 +61,9 @@ public class SimulationBuilder internal constructor(private val population: Popu
 
     /** A further force, as a lambda. */
     public fun kick(kick: Kick): SimulationBuilder = force(kick)
+
+    /** Where spheres come and leave. */
+    public fun sources(sources: Sources): SimulationBuilder = apply { this.sources = sources }
 
     /** A further output, which is called after those given before. */
     public fun output(output: Output): SimulationBuilder = apply { outputs += output }
@@ -93,6 +98,7 @@ public class SimulationBuilder internal constructor(private val population: Popu
         startTime,
         startStep,
         runStart,
+        sources,
     )
 
     private fun forcing(): CollisionForcing? {

@@ -14,11 +14,14 @@ import daphnis.core.population.Partition
 import daphnis.core.population.Population
 import daphnis.core.population.firstNotFinite
 import daphnis.core.population.isFinite
+import daphnis.core.source.Sources
+import daphnis.core.surface.SurfaceContact
 import java.util.function.Supplier
 
 /**
  * The phases of a step, for the code which drives it: [begin] · [duration] · [kick] · [drift] · [applyBoundary] ·
- * [kickAgain] · [swap] · [checkFinite] · [commit]. A [Simulation] calls them one after the other; where nodes hold the spheres,
+ * [kickAgain] · [swap] · [exchange] · [checkFinite] · [commit]. A [Simulation] calls them one after the other; where
+ * nodes hold the spheres,
  * each node does so on its part of the population. Until [commit], all phases together can be taken back. One thread
  * calls; [loop] may use more.
  *
@@ -32,6 +35,7 @@ public class StepPhases internal constructor(
     private val forces: List<Force>,
     private val loop: RangeLoop,
     private val partition: Partition,
+    private val sources: Sources? = null,
 ) {
     public constructor(
         population: Population,
@@ -136,6 +140,11 @@ public class StepPhases internal constructor(
         collisions?.swap(population, boundary, partition, start, end)
     }
 
+    /** Spheres come and leave at the [end] of a step. */
+    internal fun exchange(end: Double, duration: Double) {
+        sources?.act(population, partition, present, end, duration, collisions?.momentFactor ?: SurfaceContact.SOLID)
+    }
+
     /** @throws IllegalStateException when the state is not finite; its message says [at] which step and time */
     public fun checkFinite(at: Supplier<String>) {
         if (isKnownFinite) return
@@ -154,6 +163,7 @@ public class StepPhases internal constructor(
     public fun takeBack() {
         undo.takeBack()
         carried.takeBack()
+        sources?.sums?.clear()
         collisions?.record?.clear()
     }
 }

@@ -59,6 +59,7 @@ internal class LocalSteps(private val phases: StepPhases, private val timeStep: 
         phases.applyBoundary(end)
         phases.kickAgain(end, duration)
         phases.swap(start, end)
+        phases.exchange(end, duration)
         phases.checkFinite(at)
     }
 

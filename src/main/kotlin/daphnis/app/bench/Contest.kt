@@ -110,7 +110,16 @@ internal class Contest(
         val engine = engines.create(contestant.engine, contestant.threads)!!
         val forcing = own.collisions(engine)
         val start = own.scenario.startTime
-        return Simulation(own.population, own.boundary, forcing, own.timeStep, own.forces, startTime = start).use {
+        val simulation = Simulation(
+            own.population,
+            own.boundary,
+            forcing,
+            own.timeStep,
+            own.forces,
+            startTime = start,
+            sources = own.sources,
+        )
+        return simulation.use {
             val begin = System.nanoTime()
             val processorBegin = ProcessorTime.now()
             try {

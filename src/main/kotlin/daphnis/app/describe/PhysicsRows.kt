@@ -49,7 +49,8 @@ internal class PhysicsRows(private val setup: ScenarioSetup, private val say: Qu
         } else {
             "${say.length(radii.min())} to ${say.length(radii.max())}, mean ${say.length(radii.average())}"
         }
-        rows.add("particles", "${spheres(particles.size, box.space)}, radius $size")
+        val then = if (scenario.sources.isEmpty()) "" else " at the start"
+        rows.add("particles", "${spheres(particles.size, box.space)}$then, radius $size")
         val mass = if (masses.min() == masses.max()) {
             say.mass(masses[0])
         } else {
@@ -156,6 +157,7 @@ internal class PhysicsRows(private val setup: ScenarioSetup, private val say: Qu
         scenario.merging?.let { rows.add("merging", it.inWords(say)) }
         scenario.breaking?.let { rows.add("breaking", it.inWords(say)) }
         scenario.swaps?.let { rows.add("swaps", it.inWords(population.size, setup.firstStep(), say)) }
+        scenario.sources.forEachIndexed { k, source -> rows.add("sources", "[$k] ${source.inWords(say)}") }
         rows.add("guard", scenario.guard.inWords(say))
     }
 

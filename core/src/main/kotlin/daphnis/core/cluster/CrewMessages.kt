@@ -5,6 +5,7 @@ import daphnis.core.collision.CollisionCounters
 import daphnis.core.collision.CollisionRecord
 import daphnis.core.collision.Counter
 import daphnis.core.engine.StepTally
+import daphnis.core.source.SourceSums
 import java.nio.ByteBuffer
 
 /** What the leader of a crew asks of each node. */
@@ -78,6 +79,7 @@ internal class Begin(
  * @property held number of spheres that the node holds
  * @property seconds that the step took
  * @property carried what the simulation carries besides the spheres
+ * @property exchanged what came and left; null without sources
  */
 internal class StepDone(
     val time: Double,
@@ -90,6 +92,7 @@ internal class StepDone(
     val counted: CollisionCounters,
     val record: CollisionRecord?,
     val tally: StepTally?,
+    val exchanged: SourceSums?,
 )
 
 /**
@@ -108,6 +111,8 @@ internal fun MessageWriter.stepDone(done: StepDone): MessageWriter = apply {
     for (counter in Counter.entries) long(done.counted[counter])
     record(done.record)
     tally(done.tally)
+    int(done.exchanged?.sources ?: -1)
+    done.exchanged?.let { put(it.mostBytes, it::write) }
 }
 
 internal fun ByteBuffer.stepDone(): StepDone = StepDone(
@@ -121,6 +126,7 @@ internal fun ByteBuffer.stepDone(): StepDone = StepDone(
     CollisionCounters().also { for (counter in Counter.entries) it[counter] = long },
     record(),
     tally(),
+    exchanged(),
 )
 
 private fun MessageWriter.record(record: CollisionRecord?) {
@@ -145,6 +151,11 @@ private fun ByteBuffer.record(): CollisionRecord? {
 private fun MessageWriter.tally(tally: StepTally?) {
     int(tally?.kinds ?: -1)
     for (sums in tally?.all.orEmpty()) put(sums.mostBytes, sums::write)
+}
+
+private fun ByteBuffer.exchanged(): SourceSums? {
+    val sources = int
+    return if (sources < 0) null else SourceSums(sources).also { it.read(this) }
 }
 
 private fun ByteBuffer.tally(): StepTally? {

@@ -10,6 +10,8 @@ import java.nio.ByteBuffer
 
 /** The spheres that the nodes of a crew hold together. */
 internal class NodePartition(private val turns: Turns) : Partition {
+    override val isFirst: Boolean get() = turns.rank == 0
+
     override fun find(population: Population, ids: IntArray, place: DoubleArray) {
         Partition.Whole.find(population, ids, place)
         for (theirs in turns.gather(place.copyOf())) {

@@ -81,6 +81,7 @@ internal class NodeRun(private val mail: Mail, private val threads: Int) {
             null,
             scenario.clock,
             NodePartition(turns),
+            setup.sources,
         )
     }
 
@@ -144,6 +145,7 @@ internal class NodeRun(private val mail: Mail, private val threads: Int) {
             counters.since(before),
             collisions.record.takeIf { sendsRecords },
             tally?.also { it.take(collisions.record!!) },
+            simulation.sources?.sums,
         )
         MessageWriter().byte(Answer.DONE.ordinal).stepDone(done)
     } catch (e: Throwable) {

@@ -42,6 +42,7 @@ internal class NodeSteps(
     private val scenario = ScenarioJson.write(setup.scenario)
     private val carried = setup.carried
     private val sums = CrewSums(setup)
+    private val exchanged = setup.sources?.sums
 
     @Volatile
     private var crew: Crew? = null
@@ -103,6 +104,10 @@ internal class NodeSteps(
             tally.clear()
             for (part in done) tally.merge(part.tally!!)
         }
+        exchanged?.let { sums ->
+            sums.clear()
+            for (part in done) sums.merge(part.exchanged!!)
+        }
         report.add(done)
         time = end
         carried.numbers = done[0].carried
@@ -124,6 +129,7 @@ internal class NodeSteps(
         forcing.counters.set(before)
         forcing.record?.clear()
         forcing.tally?.clear()
+        exchanged?.clear()
     }
 
     override fun bringHome() {

@@ -10,9 +10,17 @@ internal class IntList : GrowingTable() {
 
     operator fun get(k: Int): Int = values[k]
 
+    operator fun set(k: Int, value: Int) {
+        values[k] = value
+    }
+
     fun add(value: Int) {
         val k = append()
         values[k] = value
+    }
+
+    fun removeLast() {
+        size--
     }
 
     fun addAll(other: IntList) {

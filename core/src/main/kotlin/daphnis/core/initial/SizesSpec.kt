@@ -1,6 +1,5 @@
 package daphnis.core.initial
 
-import daphnis.core.scenario.all
 import kotlinx.serialization.SerialName
 import kotlinx.serialization.Serializable
 
@@ -12,6 +11,9 @@ public sealed interface SizesSpec {
 
     /** Whether radii are drawn, so that no two are the same. */
     public val isContinuous: Boolean get() = false
+
+    /** Whether radii come in an order, and are not drawn one by one. */
+    public val isInOrder: Boolean get() = false
 
     /** The least and the largest radius. */
     public val range: Pair<Double, Double>
@@ -54,6 +56,7 @@ public sealed interface SizesSpec {
     @Serializable
     @SerialName("list")
     public class Listed(public val radii: List<Double>) : SizesSpec {
+        override val isInOrder: Boolean get() = true
         override val range: Pair<Double, Double> get() = radii.min() to radii.max()
 
         override fun distribution(): SizeDistribution = ListedSizes(radii.toDoubleArray())

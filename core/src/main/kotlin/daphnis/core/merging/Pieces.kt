@@ -5,6 +5,7 @@ import daphnis.core.population.Partition
 import daphnis.core.population.Population
 import daphnis.core.population.PopulationColumns
 import daphnis.core.population.SphereQuantity
+import daphnis.core.population.nextId
 import daphnis.core.random.CounterRandom
 import kotlin.math.PI
 import kotlin.math.max
@@ -41,12 +42,8 @@ internal class Pieces(private val rule: BreakRule) {
         val all = partition.gather(IntArray(broken.size) { population.id[broken[it]] })
         if (all.isEmpty()) return 0
         all.sort()
-        val highest = doubleArrayOf((population.id.maxOrNull() ?: -1).toDouble())
-        partition.max(highest)
         val more = rule.pieces - 1
-        val last = highest[0].toLong() + all.size.toLong() * more
-        require(last < Int.MAX_VALUE) { "there are no more ids for pieces of spheres; the highest is $last" }
-        val next = highest[0].toInt() + 1
+        val next = partition.nextId(population, all.size.toLong() * more)
         val pieces = PopulationColumns.picked(population, IntArray(broken.size * more) { broken[it / more] })
         for (k in pieces.id.indices) {
             pieces.id[k] = next + all.binarySearch(pieces.id[k]) * more + k % more

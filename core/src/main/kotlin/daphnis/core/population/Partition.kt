@@ -5,6 +5,9 @@ package daphnis.core.population
  * the same order; each call is a message to the others. Without nodes there is no rest ([Whole]).
  */
 public interface Partition {
+    /** Whether this node does what only one is to do. */
+    public val isFirst: Boolean get() = true
+
     /**
      * Fills [place] with x, y, z and mass of the spheres with these [ids], four numbers each, whichever node has them;
      * NaN for one that is nowhere. [population] is this node's.
@@ -69,4 +72,17 @@ public interface Partition {
 public interface Partitioned {
     /** The spheres of the other nodes; none of them at first. */
     public var partition: Partition
+}
+
+/**
+ * The first of [count] ids in a row above all that are there, the same on all nodes, which call this together.
+ *
+ * @throws IllegalArgumentException when there are no more
+ */
+internal fun Partition.nextId(population: Population, count: Long): Int {
+    val highest = doubleArrayOf((population.id.maxOrNull() ?: -1).toDouble())
+    max(highest)
+    val last = highest[0].toLong() + count
+    require(last < Int.MAX_VALUE) { "there are no more ids for new spheres; the highest would be $last" }
+    return highest[0].toInt() + 1
 }

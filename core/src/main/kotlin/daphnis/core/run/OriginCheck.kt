@@ -35,6 +35,7 @@ internal class OriginCheck(private val scenario: Scenario, private val source: S
         val start = scenario.copy(
             placement = from.placement().copy(materials = scenario.materials.ifEmpty { null }),
             particles = null,
+            sources = scenario.settledSources,
             velocities = null,
             spins = scenario.spins.takeIf { !state.hasSpin },
             firstBody = other?.firstBody(state.size)?.takeIf { bodies.isNotEmpty() },

@@ -52,6 +52,7 @@ internal class RunPlan(
         simulation.boundary.walls.pistons.keys,
         simulation.collisions?.states != null,
         simulation.collisions?.isPlain != false,
+        simulation.sources?.all?.size ?: 0,
     )
 
     /** Whether the run ends before [until], with the present state. */
@@ -110,7 +111,7 @@ internal fun planOf(
         val elsewhere = nodes?.steps(setup, setup.population, forcing, time, step)
         Simulation(
             setup.population, setup.boundary, forcing, setup.timeStep, setup.forces, emptyList(), time, step,
-            scenario.startTime, elsewhere, scenario.clock, Partition.Whole,
+            scenario.startTime, elsewhere, scenario.clock, Partition.Whole, setup.sources,
         )
     }
     return closingIfItThrows(simulation) {

@@ -42,6 +42,7 @@ private fun asResolved(scenario: Scenario, found: Scenario, directory: RunDirect
         output = OutputTimesCheck(scenario, around, ValueCheck(source)).settled(),
         placement = scenario.placement.file?.let { it.copy(path = copyOf(it, directory).name) }
             ?: scenario.placement,
+        sources = scenario.settledSources,
     )
 }
 

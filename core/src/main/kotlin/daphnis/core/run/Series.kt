@@ -2,6 +2,7 @@ package daphnis.core.run
 
 import daphnis.core.CommonNumber
 import daphnis.core.Output
+import daphnis.core.OutputState
 import daphnis.core.Simulation
 import daphnis.core.boundary.Growth
 import daphnis.core.force.Drift
@@ -10,6 +11,7 @@ import daphnis.core.population.MaterialSums
 import daphnis.core.population.PopulationSums
 import daphnis.core.population.SpinSums
 import daphnis.core.scenario.OutputSpec
+import daphnis.core.source.SourceSums
 import daphnis.core.table.Column
 import daphnis.core.table.Columns
 import daphnis.core.table.Dimension
@@ -33,18 +35,53 @@ internal object SeriesOutput : PeriodicOutput("series", OutputSpec::seriesEvery,
 
 /** `series.csv`: a row at each of [times]. */
 internal class Series(private val times: OutputTimes, private val sums: StepSums, files: RunFiles) : Output {
-    private val rows = SeriesColumns.of(sums.haveSpins, sums.materials, sums.haveGrowth, sums.pistons, sums.haveEdges)
+    private val exchanged = SourceSums(sums.sources)
+    private val rows = SeriesColumns.of(
+        sums.haveSpins,
+        sums.materials,
+        sums.haveGrowth,
+        sums.pistons,
+        sums.haveEdges,
+        sums.sources,
+    )
     private val file = files.table(rows)
+    private var lastStep = -1L
 
     override fun write(simulation: Simulation) {
+        if (simulation.step != lastStep && simulation.step > 0) simulation.sources?.let { exchanged.merge(it.sums) }
+        lastStep = simulation.step
         if (!times.isDue(simulation)) return
-        rows.write(SeriesRow(simulation, sums), file.line())
+        rows.write(SeriesRow(simulation, sums, exchanged), file.line())
         file.endLine()
+    }
+
+    override fun save(state: OutputState) {
+        if (exchanged.sources == 0) return
+        state.put(COUNTS, exchanged.counts)
+        for (k in 0 until exchanged.size) state.put("$SUM$k", exchanged.sum(k).parts().toDoubleArray())
+    }
+
+    override fun restore(state: OutputState) {
+        state.longs(COUNTS).copyInto(exchanged.counts)
+        for (name in state.names) {
+            if (!name.startsWith(SUM)) continue
+            val sum = exchanged.sum(name.removePrefix(SUM).toInt())
+            for (part in state.doubles(name)) sum.add(part)
+        }
+    }
+
+    private companion object {
+        const val COUNTS = "exchangedSpheres"
+        const val SUM = "exchangedSum"
     }
 }
 
-/** The source of a row of `series.csv`: a [simulation] after a step and the sums over its population. */
-internal class SeriesRow(val simulation: Simulation, stepSums: StepSums) {
+/**
+ * The source of a row of `series.csv`: a [simulation] after a step and the sums over its population.
+ *
+ * @property exchanged what came and left since the start of the run
+ */
+internal class SeriesRow(val simulation: Simulation, stepSums: StepSums, val exchanged: SourceSums) {
     val sums: PopulationSums = stepSums.of(simulation)
     val energies = Energies(simulation, stepSums)
 
@@ -71,7 +108,8 @@ internal class SeriesRow(val simulation: Simulation, stepSums: StepSums) {
 /**
  * The columns of `series.csv`; `docs/guide.md` says what they mean. A further quantity is a further line here. Those
  * from [ROTATIONAL_ENERGY] on are only there where spheres have spins, [FILLING_FACTOR] and [REDUCED_PRESSURE] where
- * they grow, those of a piston where that wall is one, and [EDGE_EVENTS] where spheres have interactions.
+ * they grow, those of a piston where that wall is one, and [EDGE_EVENTS] where spheres have interactions. Those of
+ * [exchanged] are there for each source.
  */
 public object SeriesColumns : TableColumns {
     internal val rows = Columns<SeriesRow>("series.csv")
@@ -190,13 +228,41 @@ public object SeriesColumns : TableColumns {
     public val EDGE_EVENTS: Column =
         rows.whole("edge_events") { it.simulation.collisions?.counters?.edgeEvents ?: 0 }
 
-    /** The columns of a run, with one for each of [materials] at the end. */
+    /**
+     * What the source number [source] has brought and taken since the start: spheres that came, that left, and that
+     * found no place; and what came less what left of mass, momentum along x, y, z, and kinetic energy with that of
+     * rotation.
+     */
+    @JvmStatic
+    public fun exchanged(source: Int): List<String> = listOf(
+        "came",
+        "left",
+        "refused",
+        "mass",
+        "momentum_x",
+        "momentum_y",
+        "momentum_z",
+        "energy",
+    ).map { "source${source}_$it" }
+
+    private fun Columns<SeriesRow>.addExchanged(k: Int) {
+        val (came, left, refused, mass) = exchanged(k)
+        whole(came) { it.exchanged.came(k) }
+        whole(left) { it.exchanged.left(k) }
+        whole(refused) { it.exchanged.refused(k) }
+        number(mass, Dimension.MASS) { it.exchanged.mass(k) }
+        each(exchanged(k).subList(4, 7), Dimension.MOMENTUM) { row, axis -> row.exchanged.momentum(k, axis) }
+        number(exchanged(k).last(), Dimension.ENERGY) { it.exchanged.energy(k) }
+    }
+
+    /** The columns of a run, at the end with one for each of [materials] and those for each of so many [sources]. */
     internal fun of(
         hasSpins: Boolean,
         materials: List<String>,
         grow: Boolean = false,
         pistons: Set<Int> = emptySet(),
         haveEdges: Boolean = false,
+        sources: Int = 0,
     ): Columns<SeriesRow> {
         val ofEdges = if (haveEdges) emptyList() else listOf(EDGE_EVENTS)
         val none =
@@ -206,6 +272,7 @@ public object SeriesColumns : TableColumns {
             materials.forEachIndexed { k, name ->
                 all.number(temperatureOf(name), Dimension.ENERGY) { it.materials?.temperature(k) ?: Double.NaN }
             }
+            for (k in 0 until sources) all.addExchanged(k)
         }
     }
 

@@ -25,6 +25,7 @@ import daphnis.core.wave.ModeSums
  * @property pistons faces of the walls that are pistons
  * @property haveEdges whether spheres do something to one another besides impacts
  * @property arePlain whether they only meet, and neither have edges nor merge nor break
+ * @property sources how many sources and sinks there are
  */
 internal class StepSums(
     private val sums: PopulationSums,
@@ -37,6 +38,7 @@ internal class StepSums(
     val pistons: Set<Int> = emptySet(),
     val haveEdges: Boolean = false,
     val arePlain: Boolean = true,
+    val sources: Int = 0,
 ) {
     /** Names of the materials that there are sums of. */
     val materials: List<String> get() = byMaterial?.materials.orEmpty()

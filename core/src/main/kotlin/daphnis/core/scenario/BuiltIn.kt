@@ -15,7 +15,7 @@ public object BuiltIn {
             "rough-gas", "mixture", "hard-discs", "vibrated-bed", "drum", "shear-cell", "ring-patch",
             "rough-ring", "perturbed-ring", "satellite-wake", "shepherds", "moonlet",
             "moonlet-walk", "overstability", "self-gravity-wakes",
-            "crystal", "glass", "square-well", "wet-grains", "accretion",
+            "crystal", "glass", "square-well", "wet-grains", "accretion", "effusion", "pouring",
         )
 
     /** The text of the scenario [name], with its comments; null when there is none. */

@@ -69,9 +69,13 @@ public data class Scenario @JvmOverloads constructor(
     @EncodeDefault(EncodeDefault.Mode.NEVER) override val bonds: BondsSpec? = null,
     @EncodeDefault(EncodeDefault.Mode.NEVER) override val breaking: BreakingSpec? = null,
     @EncodeDefault(EncodeDefault.Mode.NEVER) override val swaps: SwapsSpec? = null,
+    @EncodeDefault(EncodeDefault.Mode.NEVER) override val sources: List<SourceSpec> = emptyList(),
     /** From a [ResolvedScenario] that was written to a file; a new initial state has its own. */
     internal val firstBody: Int? = null,
 ) : ScenarioParts {
+    /** [sources] with what they bring, also where that follows from [particles]. */
+    internal val settledSources: List<SourceSpec> get() = sources.map { it.settled(particles) }
+
     /**
      * Id of the first of [bodies], or [Int.MAX_VALUE] without any: from this file of a run, or for an initial state of
      * [spheres] spheres.

@@ -48,6 +48,9 @@ public interface ScenarioParts {
     /** How often spheres swap places; null for spheres that do not. */
     public val swaps: SwapsSpec?
 
+    /** Where spheres come and leave. */
+    public val sources: List<SourceSpec>
+
     /** Spins at the start; null for none, or those of a file. */
     public val spins: SpinsSpec?
 
@@ -118,6 +121,7 @@ public interface ScenarioParts {
         val isAtRest = boundary.repeatsAtRest && frame == null && growth == null
         if (!isAtRest || forces.isNotEmpty() || bodies.isNotEmpty()) return null
         if (interactions.isNotEmpty() || merging != null || breaking != null || bonds != null) return null
+        if (sources.isNotEmpty()) return null
         val coefficients = impacts.map { impact ->
             impact.restitution!!.constant?.takeIf { impact.roughness?.isSmooth != false }
         }

@@ -30,6 +30,7 @@ import daphnis.core.parallel.InlineLoop
 import daphnis.core.parallel.ThreadHandler
 import daphnis.core.population.Population
 import daphnis.core.potential.PairInteractions
+import daphnis.core.source.Sources
 import daphnis.core.surface.ContactLaw
 import daphnis.core.surface.Roughness
 import daphnis.core.swap.SwapRule
@@ -66,6 +67,8 @@ public class ScenarioSetup private constructor(
     public val breakRule: BreakRule?,
     /** How spheres swap places; null for spheres that do not. */
     public val swapRule: SwapRule?,
+    /** Where spheres come and leave; null for nowhere. */
+    public val sources: Sources?,
 ) {
     /** What a run of this carries from step to step besides the spheres. */
     internal val carried: CarriedState = CarriedState(boundary, forces)
@@ -187,7 +190,10 @@ public class ScenarioSetup private constructor(
             val boundary = forceSetup.boundary
             val guardSpec = (scenario.guard ?: defaultGuard(scenario)).settled(rmsSpeed(population), check)
             val timeStepSpec = around.timeStep.settled(around, population)
-            val settled = scenario.copy(placement = scenario.placement.settled(boundary.space))
+            val settled = scenario.copy(
+                placement = scenario.placement.settled(boundary.space),
+                sources = scenario.settledSources,
+            )
             val resolved = ResolvedScenario(settled, around.end, guardSpec, timeStepSpec, firstBody, output)
             val timeStep = timeStepSpec.timeStep(resolved, boundary, GrowthSetup(scenario, check).longest(), check)
             val first = timeStep.next(population)
@@ -195,8 +201,17 @@ public class ScenarioSetup private constructor(
             scenario.swaps?.checkDraws("swaps", population.size, first, around.end, check)
             if (state == null) GrowthSetup(scenario, check).checkStart(population, around.box, first, around.end)
             val then = boundary.at(scenario.startTime)
-            val startCheck =
-                StartCheck(scenario, population, then, forceSetup.places, check, around.end, laws.interactions)
+            val sources = SourceSetup(scenario, around, boundary, materials, check).sources
+            val startCheck = StartCheck(
+                scenario,
+                population,
+                then,
+                forceSetup.places,
+                check,
+                around.end,
+                laws.interactions,
+                sources?.largest ?: 0.0,
+            )
             if (state == null) startCheck.check(timeStep, isPlaced) else startCheck.checkRooms()
             if (state == null && (isPlaced || timeStep is FixedTimeStep)) {
                 val likeThem = forces().forces
@@ -207,7 +222,7 @@ public class ScenarioSetup private constructor(
                 resolved, population, boundary, laws.restitution, guard,
                 forceSetup.forces + listOfNotNull(laws.interactions?.let { PairEnergy(PairStates(it)) }), timeStep,
                 around.frequencies, initial.notices, laws.roughness, forceSetup.places,
-                laws.interactions, laws.mergeRule, laws.breakRule, laws.swapRule,
+                laws.interactions, laws.mergeRule, laws.breakRule, laws.swapRule, sources,
             )
         }
 

@@ -59,6 +59,19 @@ internal class SphereKind private constructor(
     }
 
     companion object {
+        /** The kind at [key] of spheres with the [sizes] and a [mass], or a [density]. */
+        fun of(
+            key: String,
+            sizes: SizesSpec,
+            density: Double,
+            mass: Double?,
+            space: Space,
+            check: ValueCheck,
+        ): SphereKind = SphereKind(key, 1.0, sizes, density, mass, space, check).also { kind ->
+            kind.checkMass()
+            for (radius in listOf(kind.least, kind.most)) kind.mass(radius)
+        }
+
         /** The kinds of the spheres of [spec], by number of material. */
         fun of(spec: ParticlesSpec, space: Space, check: ValueCheck): List<SphereKind> {
             val materials = spec.materials

@@ -21,6 +21,8 @@ import kotlin.math.sqrt
 /**
  * Checks that a population can start in its box, with its [boundary] as it is then: all spheres are inside, the box is wide enough for its images, and no
  * spheres overlap.
+ *
+ * @param largestToCome the greatest radius of what sources bring; 0 where they bring nothing
  */
 internal class StartCheck(
     private val scenario: Scenario,
@@ -30,6 +32,7 @@ internal class StartCheck(
     private val check: ValueCheck,
     end: Double,
     private val interactions: PairInteractions?,
+    private val largestToCome: Double,
 ) {
     private val walls = WallCheck(scenario, population, boundary, check, end)
 
@@ -38,7 +41,7 @@ internal class StartCheck(
         // A length of step that follows from speeds is not known before the flow at the places is in them.
         val isKnown = isPlaced || timeStep is FixedTimeStep
         val box = boundary.box
-        val largest = population.radius.max()
+        val largest = maxOf(population.radius.max(), largestToCome)
         for (axis in 0 until boundary.space.dimensions) {
             val length = box.length(axis)
             val key = "box.lengths[$axis]"

@@ -36,8 +36,13 @@ class CrewTest {
 
     private fun done() = MessageWriter().byte(Answer.DONE.ordinal).stepDone(stepDone())
 
-    private fun stepDone(halo: Int = 1, bytes: Long = 0, redone: Long = 0) =
-        StepDone(1.0, 0.5, 10, 5, 0.1, DoubleArray(1), NodeCost(redone, halo, bytes), CollisionCounters(), null, null)
+    private fun stepDone(halo: Int = 1, bytes: Long = 0, redone: Long = 0) = StepDone(
+        1.0, 0.5, 10, 5, 0.1,
+        DoubleArray(
+            1,
+        ),
+        NodeCost(redone, halo, bytes), CollisionCounters(), null, null, null,
+    )
 
     @Test
     fun `what ends a step in the serial engine is thrown as by it, whichever node says so`() {

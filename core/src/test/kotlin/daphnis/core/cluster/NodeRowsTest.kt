@@ -96,6 +96,7 @@ class NodeRowsTest {
     @EnumSource(
         names = [
             "BODIES", "TREE", "MESH", "GROWING", "PISTONS", "MOONS", "STEPPED", "MERGING", "BREAKING", "SWAPPING",
+            "EXCHANGED",
         ],
     )
     fun `rows are the same where nodes die, and what all nodes find together is found again`(case: RowCase) {
@@ -122,7 +123,9 @@ class NodeRowsTest {
 
     @ParameterizedTest
     @EnumSource(
-        names = ["TREE", "MESH", "GROWING", "PISTONS", "MOONS", "STEPPED", "MERGING", "BREAKING", "SWAPPING"],
+        names = [
+            "TREE", "MESH", "GROWING", "PISTONS", "MOONS", "STEPPED", "MERGING", "BREAKING", "SWAPPING", "EXCHANGED",
+        ],
     )
     fun `a run goes on with other nodes and without any, from what each has saved`(case: RowCase) {
         val expected = serial(case, "output.checkpointEvery=2")

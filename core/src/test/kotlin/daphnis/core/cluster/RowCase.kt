@@ -190,6 +190,28 @@ enum class RowCase(text: String, internal val check: (List<List<String>>) -> Uni
         "velocities": {"type": "gaussian", "sigma": 2.0}, "swaps": {"rate": 30}, $GAS""",
         { rows -> assertEquals(rows.size - 1, rows.column("temperature_a").distinct().size) },
     ),
+    EXCHANGED(
+        """"until": 0.5, "box": {"lengths": [9, 9, 9]}, "boundary": {"type": "walls", "axes": "z"},
+        "particles": {"count": 200, "sizes": {"type": "equal", "radius": 0.4}, "mass": 1.0},
+        "velocities": {"type": "gaussian", "sigma": 2.0}, "roughness": {"type": "constant", "coefficient": 0.5},
+        "sources": [
+        {"type": "reservoir", "region": {"x": [-4.5, 0.5]}, "fillingFactor": 0.15, "temperature": 2},
+        {"type": "outflow", "region": {"x": [0, 2], "y": [-3, 4]}},
+        {"type": "inflow", "rate": 200, "region": {"x": [-4.5, 4.5], "y": [2, 4.5]}, "velocity": [1, 0, 0],
+        "sigma": 0.5, "particles": {"sizes": {"type": "power-law", "minimum": 0.1, "maximum": 0.5, "exponent": 3}, "density": 2}},
+        {"type": "inflow", "rate": 200, "through": "upperZ", "sigma": 3}], $GAS""",
+        { rows ->
+            for (k in 0..3) assertNotEquals("0", rows.column("source${k}_${if (k == 1) "left" else "came"}").last())
+            assertNotEquals("0", rows.column("source2_refused").last())
+        },
+    ),
+    EMPTIED(
+        """"until": 1.5, "box": {"lengths": [9, 9, 9]}, "boundary": {"type": "periodic"},
+        "particles": {"count": 100, "sizes": {"type": "equal", "radius": 0.4}, "mass": 1.0},
+        "velocities": {"type": "gaussian", "sigma": 2.0},
+        "sources": [{"type": "inflow", "rate": 4, "region": {"x": [0, 4]}}, {"type": "outflow"}], $GAS""",
+        { rows -> assertEquals(listOf("0"), rows.column("particles").drop(1).distinct()) },
+    ),
     PISTONS(
         """"until": 0.5, "box": {"lengths": [9, 9, 9]}, "boundary": {"type": "walls", "faces": {
         "lowerZ": {"motion": {"type": "piston", "mass": 50}},

@@ -52,6 +52,7 @@ class MutatedScenarioTest {
                 CollisionForcing(setup.restitution, setup.guard),
                 setup.timeStep,
                 setup.forces,
+                sources = setup.sources,
             ).use { simulation ->
                 repeat(2) { simulation.advance() }
             }

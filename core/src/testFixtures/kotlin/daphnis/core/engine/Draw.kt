@@ -23,6 +23,7 @@ import daphnis.core.hill.Epicycle
 import daphnis.core.hill.HillFrame
 import daphnis.core.hill.HillSheet
 import daphnis.core.hill.Satellite
+import daphnis.core.initial.EqualSizes
 import daphnis.core.initial.Lattice
 import daphnis.core.initial.LatticePlacement
 import daphnis.core.initial.PlacementException
@@ -34,6 +35,12 @@ import daphnis.core.merging.MergeRule
 import daphnis.core.orbit.OrbitalFrequencies
 import daphnis.core.population.Population
 import daphnis.core.search.SearchStructure
+import daphnis.core.source.Inflow
+import daphnis.core.source.Outflow
+import daphnis.core.source.Reservoir
+import daphnis.core.source.Source
+import daphnis.core.source.Sources
+import daphnis.core.source.Supply
 import daphnis.core.surface.BridgesRestitution
 import daphnis.core.surface.ConstantRestitution
 import daphnis.core.swap.SwapRule
@@ -97,6 +104,25 @@ class Draw(override val seed: Long) : Case {
     /** In some spheres swap places, about as often as some of them collide. */
     private val swapRule = SwapRule(0.3 / dt, seed).takeIf {
         seed % 5 == 3L && interactions == null && mergeRule == null && breakRule == null && boundary.meanFlow == null
+    }
+
+    /** In some spheres come and leave, where the ends of the box are. */
+    private val sources: List<Source> = if (seed % 9 != 4L || interactions != null) emptyList() else drawSources()
+
+    private fun drawSources(): List<Source> {
+        val sink = Outflow(part(0.6, 0.7))
+        if (boundary.shear != null || boundary.meanFlow != null) return listOf(sink)
+        val supply = Supply(EqualSizes(radii.min()), radii.min(), mass = radii.min() * radii.min() * radii.min())
+        val gas = Reservoir(part(0.0, 0.3), 0.15, 1.0, supply, trials = 30)
+        val stream = Inflow(part(0.75, 1.0), 3 / dt, listOf(0.5, 0.0, 0.0), 0.5, supply)
+        if (boundary === Open || boundary.contactFaces(0) == ContactFaces.OPEN) return listOf(gas, sink, stream)
+        return listOf(gas, sink, stream, Inflow(box, 2 / dt, listOf(0.0, 0.0, 0.0), 1.0, supply, through = 1))
+    }
+
+    /** The box from one part of its length along x to another. */
+    private fun part(from: Double, to: Double): Box {
+        fun at(part: Double) = if (part == 1.0) box.upperX else box.lowerX + part * box.length(0)
+        return Box(at(from), box.lowerY, box.lowerZ, at(to), box.upperY, box.upperZ)
     }
 
     private fun Population.fillingNow() = if (clumped) maxOf(filling, 0.2) else filling
@@ -207,7 +233,7 @@ class Draw(override val seed: Long) : Case {
 
     /** In some of the boxes that repeat spheres grow or shrink. */
     private fun around(): BoundaryConditions {
-        if (interactions != null || mergeRule != null || breakRule != null) return boundary
+        if (interactions != null || mergeRule != null || breakRule != null || sources.isNotEmpty()) return boundary
         val isWhole = boundary is Periodic && (0..2).all { boundary.hasImages(it) }
         if (!isWhole || seed % 4 == 0L) return boundary
         val most = if (filling < 0.2 && !clumped) 0.05 else 0.002
@@ -232,6 +258,7 @@ class Draw(override val seed: Long) : Case {
         FixedTimeStep(dt),
         forces(),
         startTime = if (isPerturbed) phaseTime else 0.0,
+        sources = if (sources.isEmpty()) null else Sources(sources, seed),
     )
 
     /**
@@ -269,5 +296,6 @@ class Draw(override val seed: Long) : Case {
                 "",
             )}, dt $dt$surface${if (interactions != null) ", with steps" else ""}" +
             (if (mergeRule != null) ", merging" else "") + (if (breakRule != null) ", breaking" else "") +
-            if (swapRule != null) ", swapping" else ""
+            (if (swapRule != null) ", swapping" else "") +
+            (if (sources.isNotEmpty()) ", ${sources.size} sources" else "")
 }

@@ -26,10 +26,14 @@ internal class BoxNumbers(private val study: Study) {
             PistonVolume.average(study)?.let { rows.average(key, "$name between the walls", it, unit) }
         } else if (!isUniform) {
             // Of a bed that ends somewhere below the roof both would be numbers of the roof.
-        } else if (space.isPlane) {
-            rows.exact("area_fraction", "area fraction ν", bulk.fillingFactor, "")
         } else {
-            rows.exact("filling_factor", "filling factor φ", bulk.fillingFactor, "")
+            val (key, name) =
+                if (space.isPlane) "area_fraction" to "area fraction ν" else "filling_factor" to "filling factor φ"
+            if (study.input.scenario?.sources.orEmpty().isEmpty()) {
+                rows.exact(key, name, bulk.fillingFactor, "")
+            } else {
+                rows.average(key, name, motion.fillingFactor, "")
+            }
         }
         rows.exact("mean_radius", "mean radius", bulk.meanRadius, units.length)
         if (!study.input.hasVelocities) return rows.list()

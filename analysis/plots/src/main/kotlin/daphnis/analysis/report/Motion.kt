@@ -53,12 +53,23 @@ internal class Motion(private val input: AnalysisInput, from: Double, last: Stat
             )
         }
 
+    /** Of discs the area fraction; it changes where particles come and leave. */
+    private val fillings = Averages(
+        Measure { state ->
+            val there = (0 until state.population.size).filter { state.isParticle(it) }
+            val filled = there.sumOf { state.boundary.space.volume(state.population.radius[it]) }
+            doubleArrayOf(filled / state.boundary.volume)
+        },
+    )
+    val fillingFactor: BlockAverage get() = fillings.average(0)
+
     /** Number of states so far. */
     val size: Int get() = states.size
 
     /** Takes in one more state. */
     fun add(state: State) {
         states.add(state)
+        fillings.add(state)
         near?.add(state)
         cumulants?.add(state)
         rotation?.add(state)

@@ -83,7 +83,7 @@ internal object RunHistory {
      * of the perturbation.
      */
     fun of(input: AnalysisInput, from: Double): List<History> =
-        (ofMotion(input, from) + listOfNotNull(rotation(input, from))).let { all ->
+        (ofMotion(input, from) + listOfNotNull(rotation(input, from), number(input))).let { all ->
             val period = PerturbedSheet.period(input, input.state(input.size - 1)) ?: Waves.of(input, from)?.wavePeriod
             if (period == null) all else all.map { it.overPeriods(period, from) }
         }
@@ -94,6 +94,12 @@ internal object RunHistory {
         if (s[SeriesColumns.TIME].count { it >= from } < Steadiness.FEWEST) return null
         val values = s[SeriesColumns.ROTATIONAL_TEMPERATURE]
         return History("rotational temperature", s[SeriesColumns.TIME], values, OF_SPINS)
+    }
+
+    /** Number of particles of a run in which some come or leave by sources. */
+    private fun number(input: AnalysisInput): History? {
+        val s = input.series?.takeIf { it.size >= 2 && input.scenario?.sources.orEmpty().isNotEmpty() } ?: return null
+        return History("number of particles", s[SeriesColumns.TIME], s[SeriesColumns.PARTICLES], OF_NUMBER)
     }
 
     private fun ofMotion(input: AnalysisInput, from: Double): List<History> {
@@ -145,8 +151,8 @@ internal object RunHistory {
     /** Collisions per particle and time between rows, at the time of the later one. */
     private fun rate(time: DoubleArray, collisions: DoubleArray, particles: DoubleArray): History {
         val rates = DoubleArray(time.size - 1) {
-            2 * (collisions[it + 1] - collisions[it]) / particles[it] /
-                (time[it + 1] - time[it])
+            val each = if (particles[it] > 0) 2 * (collisions[it + 1] - collisions[it]) / particles[it] else 0.0
+            each / (time[it + 1] - time[it])
         }
         return History("collisions per particle", time.copyOfRange(1, time.size), rates, OF_COLLISIONS)
     }
@@ -169,6 +175,7 @@ internal object RunHistory {
         "toomre_q",
         "wall_work_over_dissipation",
     )
+    private val OF_NUMBER = setOf("particles", "particle_fluctuations", "filling_factor", "area_fraction")
     private val OF_SPINS = setOf(
         "rotational_temperature",
         "rotational_over_translational",

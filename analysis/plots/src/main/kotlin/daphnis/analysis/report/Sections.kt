@@ -68,6 +68,7 @@ internal class Sections(private val study: Study, list: List<(Study) -> Section>
                 ::InsertionSection,
                 ::OrderSection,
                 ::ClusterSection,
+                ::SourcesSection,
             )
 
         /** Those that have numbers in tables of their own, too. */
@@ -76,6 +77,7 @@ internal class Sections(private val study: Study, list: List<(Study) -> Section>
         private val LIST: List<(Study) -> Section> = listOf(
             ::PictureSection,
             ::EvolutionSection,
+            ::SourcesSection,
             ::PerturbedSection,
             ::WaveSection,
             ::StreamlineSection,

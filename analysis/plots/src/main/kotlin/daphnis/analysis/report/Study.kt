@@ -52,10 +52,12 @@ internal class Study(
     val isRing: Boolean = input.omega != null
 
     /**
-     * The scenario, where it decides the physics; null without one, and for the run of a program, whose law and forces
-     * may be others.
+     * The scenario, where it decides the physics; null without one, for the run of a program, whose law and forces may
+     * be others, and where spheres come or leave, so that there is no one density.
      */
-    val physics: Scenario? = input.scenario?.takeUnless { input.directory?.program?.let { Files.exists(it) } == true }
+    val physics: Scenario? = input.scenario?.takeUnless {
+        it.sources.isNotEmpty() || input.directory?.program?.let { p -> Files.exists(p) } == true
+    }
 
     /** Whether walls that are no faces of the box cut off parts of it: densities over the box then tell nothing. */
     val isRoomCut: Boolean = last.boundary.walls.surfaces.isNotEmpty()
