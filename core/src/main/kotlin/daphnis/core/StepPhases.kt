@@ -35,7 +35,7 @@ public class StepPhases internal constructor(
     private val forces: List<Force>,
     private val loop: RangeLoop,
     private val partition: Partition,
-    private val sources: Sources? = null,
+    private val sources: Sources?,
 ) {
     public constructor(
         population: Population,
@@ -43,7 +43,7 @@ public class StepPhases internal constructor(
         collisions: CollisionForcing?,
         forces: List<Force>,
         loop: RangeLoop,
-    ) : this(population, boundary, collisions, forces, loop, Partition.Whole)
+    ) : this(population, boundary, collisions, forces, loop, Partition.Whole, null)
 
     init {
         val drift = forces.firstNotNullOfOrNull { it as? Drift }

@@ -53,7 +53,7 @@ class SatelliteSectionTest {
     }
 
     @Test
-    fun `no balance is told where a satellite keeps its orbit or a state has no row, and streamlines see the moon now`() {
+    fun `no balance stands where a satellite keeps its orbit or a state has no row, and streamlines see moons now`() {
         val kept = analysed("kept", "forces[1].feelsRing=false", "untilOrbits=1")
         assertFalse("satellite_balance" in numbers(kept))
         val rare = analysed("rare", "output.bodiesEvery=40", "untilOrbits=1")
