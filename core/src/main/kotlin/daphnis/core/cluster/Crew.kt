@@ -102,7 +102,13 @@ internal class Crew(private val mail: Mail, val nodes: List<FleetNode>, var step
         if (crossings.any { it.hasRemaining() }) population.crossings.reserve()
         population.take(columns)
         for (message in crossings) {
-            while (message.hasRemaining()) population.crossings.add(message.int, message.int, message.int)
+            while (message.hasRemaining()) {
+                val id = message.int
+                val axis = message.int
+                val boxes = message.int
+                // One that has come and gone since the last time is not known here.
+                if (population.crossings.has(id)) population.crossings.add(id, axis, boxes)
+            }
         }
     }
 

@@ -39,6 +39,9 @@ internal class Crossings(val places: IdPlaces, private val areFew: Boolean = fal
         copyInto(all, (0 until places.count).map(places::idAt).filter { it < ids[0] })
     }
 
+    /** Whether there is a place for [id]. */
+    fun has(id: Int): Boolean = places.of(id) in 0 until places.count
+
     fun of(id: Int, axis: Int): Int = counts?.get(places.of(id), axis) ?: 0
 
     /** Threads may call this at the same time for different spheres. */

@@ -169,6 +169,25 @@ class NodeRowsTest {
     }
 
     @Test
+    fun `a sphere that came, crossed a face and left between two copies is in nobody's way`() {
+        // So many come and leave that ids are far apart.
+        val settings = arrayOf(
+            "sources=[{\"type\": \"inflow\", \"rate\": 60, \"region\": {\"x\": [0, 15]}, \"sigma\": 1}," +
+                "{\"type\": \"outflow\", \"region\": {\"x\": [0, 15], \"y\": [-3, -1]}}," +
+                "{\"type\": \"outflow\", \"region\": {\"x\": [-15, -4], \"y\": [-3, 0]}}]",
+            "box.lengths=[30,6,6]",
+            "particles.count=60",
+            "velocities.sigma=1",
+            "until=20",
+            "output.checkpointEvery=20",
+        )
+        val expected = serial(RowCase.EMPTIED, *settings)
+        val found = nodes(ThreadFleet(2), RowCase.EMPTIED, Output { }, *settings)
+        assertEquals(expected.stateDigest, found.stateDigest)
+        assertSameRows()
+    }
+
+    @Test
     fun `nodes may have hundreds of threads together`() {
         serial(RowCase.WALLS, "until=0.15")
         nodes(ThreadFleet(2) { 136 }, RowCase.WALLS, Output { }, "until=0.15")
