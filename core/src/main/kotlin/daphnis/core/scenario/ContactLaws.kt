@@ -54,7 +54,6 @@ internal class ContactLaws(
         need(scenario.merging == null && scenario.breaking == null, "spheres that neither merge nor break")
         need(scenario.forces.isEmpty(), "spheres on which no force acts")
         need(scenario.frame == null, "a frame that does not turn, and so no frame")
-        need(scenario.boundary.shearRate == null, "a boundary without shear")
         spec.rule("swaps", scenario.seed, check)
     }
 

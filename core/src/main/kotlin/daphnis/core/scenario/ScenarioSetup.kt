@@ -198,6 +198,8 @@ public class ScenarioSetup private constructor(
             val timeStep = timeStepSpec.timeStep(resolved, boundary, GrowthSetup(scenario, check).longest(), check)
             val first = timeStep.next(population)
             checkSteps(resolved, first, check)
+            scenario.sources.forEachIndexed { k, it -> it.checkStep("sources[$k]", first, check) }
+            check.must("swaps", scenario.swaps == null || boundary.meanFlow == null) { "need a boundary without shear" }
             scenario.swaps?.checkDraws("swaps", population.size, first, around.end, check)
             if (state == null) GrowthSetup(scenario, check).checkStart(population, around.box, first, around.end)
             val then = boundary.at(scenario.startTime)

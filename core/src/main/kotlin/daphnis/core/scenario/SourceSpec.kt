@@ -9,6 +9,7 @@ import daphnis.core.source.Reservoir
 import daphnis.core.source.Source
 import kotlinx.serialization.SerialName
 import kotlinx.serialization.Serializable
+import kotlin.math.sqrt
 
 /** Where spheres come or leave, as a scenario describes it; `toString` is the name. */
 @Serializable
@@ -24,6 +25,9 @@ public sealed interface SourceSpec {
 
     /** The source at [place], with its values checked. @throws daphnis.core.input.InputException for what is wrong */
     public fun source(place: SourcePlace): Source
+
+    /** Checks that it can act in steps of [duration]; [key] is its own. */
+    public fun checkStep(key: String, duration: Double, check: ValueCheck): Unit = Unit
 
     /** A description for a reader, with its numbers. */
     public fun inWords(say: Quantities): String
@@ -74,9 +78,15 @@ public sealed interface SourceSpec {
             check.that("$key.velocity", velocity, velocity.size == 3) { "must be three numbers" }
             velocity.forEachIndexed { k, v -> check.speed("$key.velocity[$k]", v) }
             check.inSpace("$key.velocity", velocity, place.space)
-            check.that("$key.sigma", sigma, sigma in 0.0..ValueCheck.MOST) { "must be at least 0" }
+            check.that("$key.sigma", sigma, sigma in 0.0..MOST_SIGMA) { "must be at least 0, and $MOST_SIGMA at most" }
             val face = through?.let { place.face(it, velocity, sigma, region) } ?: -1
             return Inflow(place.box(region, brings = true), rate, velocity, sigma, place.supply(particles), face)
+        }
+
+        override fun checkStep(key: String, duration: Double, check: ValueCheck) {
+            check.that("$key.rate", rate, rate * duration <= Inflow.MOST_AT_ONCE) {
+                "brings ${rate * duration} spheres in a step of $duration; ${Inflow.MOST_AT_ONCE} are possible"
+            }
         }
 
         override fun toString(): String = "inflow"
@@ -121,6 +131,10 @@ public sealed interface SourceSpec {
                 "must be in (0, ${Reservoir.MOST_FILLING}), that of a fluid"
             }
             check.positive("$key.temperature", temperature)
+            val speed = particles.mass?.let { sqrt(temperature / it) } ?: 0.0
+            check.that("$key.temperature", temperature, speed <= MOST_SIGMA) {
+                "makes speeds of $speed; $MOST_SIGMA is possible"
+            }
             trials?.let { check.that("$key.trials", it, it in 1..MOST_TRIALS) { "must be in 1..$MOST_TRIALS" } }
             val supply = place.supply(particles)
             check.must("$key.particles.sizes", particles.sizes?.radius != null) {
@@ -201,3 +215,6 @@ public class RegionSpec @JvmOverloads constructor(
         return if (told.isEmpty()) "" else told.joinToString(", ", " in ")
     }
 }
+
+/** The greatest standard deviation of a velocity, of which none that is drawn is ten times as large. */
+private const val MOST_SIGMA = ValueCheck.MOST / 10

@@ -105,9 +105,10 @@ public class Inflow @JvmOverloads constructor(
         }
     }
 
-    private companion object {
-        const val AXES = 3
-        const val NO_ID = -1
-        const val MOST_AT_ONCE = 1e7
+    public companion object {
+        /** Spheres that may come in a step, on average. */
+        public const val MOST_AT_ONCE: Double = 1e7
+        private const val AXES = 3
+        private const val NO_ID = -1
     }
 }

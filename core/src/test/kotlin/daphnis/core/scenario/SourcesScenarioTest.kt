@@ -154,6 +154,10 @@ class SourcesScenarioTest {
             arrayOf(inflow("\"rat\": 1")) to "sources[0]",
             arrayOf(inflow("\"rate\": 1, \"velocity\": [1, 2]")) to "sources[0].velocity",
             arrayOf(inflow("\"rate\": 1, \"sigma\": -1")) to "sources[0].sigma",
+            arrayOf(inflow("\"rate\": 1, \"sigma\": 1e70")) to "sources[0].sigma",
+            arrayOf(inflow("\"rate\": 1.9e9"), "until=1", "timeStep={\"type\": \"fixed\", \"dt\": 0.1}") to
+                "sources[0].rate: is 1.9E9; brings 1.9E8 spheres in a step",
+            arrayOf(reservoir("\"temperature\": 1e150, \"fillingFactor\": 0.1")) to "sources[0].temperature",
             arrayOf(inflow("\"rate\": 1, \"region\": {\"x\": [1, 99]}")) to "sources[0].region.x",
             arrayOf(inflow("\"rate\": 1, \"region\": {\"y\": [1, -1]}")) to "the lower one first",
             arrayOf(inflow("\"rate\": 1, \"region\": {\"y\": [1]}")) to "sources[0].region.y",

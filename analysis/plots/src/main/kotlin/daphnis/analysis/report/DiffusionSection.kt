@@ -41,9 +41,9 @@ internal class DiffusionSection(private val study: Study) : Section {
     override val leftOut get() = when {
         PerturbedSheet.isSeen(study.last) -> "in a perturbed sheet images come nearer and move away"
         study.isGrowing -> "spheres grow, so no time of the run is like another"
-        SourcesSection.bring(
+        SourcesSection.areThere(
             study,
-        ) -> "spheres come and leave, and those that come may have the ids of others that left"
+        ) -> "spheres come or leave, so those that stay are no sample, and ids are given again"
         (0..2).none { last.periodic[it] } -> "no axis is periodic"
         coordinates.isEmpty() -> "no periodic axis is without a mean flow"
         chosen.size < MeanSquareDisplacement.FEWEST_TIMES ->
@@ -83,7 +83,7 @@ internal class DiffusionSection(private val study: Study) : Section {
     private fun areFollowed() = omega == null && !haveSwaps
 
     private fun isExpected() = !PerturbedSheet.isSeen(study.last) &&
-        !SourcesSection.bring(study) &&
+        !SourcesSection.areThere(study) &&
         chosen.size >= MeanSquareDisplacement.FEWEST_TIMES &&
         coordinates.isNotEmpty() &&
         input.hasTimes &&

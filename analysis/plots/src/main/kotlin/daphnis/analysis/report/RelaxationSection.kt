@@ -18,7 +18,7 @@ internal class RelaxationSection(private val study: Study) : Section {
     override val applies: Boolean = input.omega == null &&
         input.hasTimes &&
         !study.isGrowing &&
-        !SourcesSection.bring(study) &&
+        !SourcesSection.areThere(study) &&
         last.image != null &&
         study.last.boundary.meanFlow == null &&
         axes.all { last.periodic[it] } &&

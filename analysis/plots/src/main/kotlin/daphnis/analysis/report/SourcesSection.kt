@@ -71,7 +71,7 @@ internal class SourcesSection(private val study: Study) : Section {
         val power = units.of("mass length^2/time^3")
         table.average("source${k}_power", "source $k: energy brought", ratio(energy, time), power)
         if (source.takes != source.brings && net.any { it != 0.0 }) {
-            table.average("source${k}_energy", "source $k: energy of one", ratio(energy, net), units.energy, "kinetic")
+            table.average("source${k}_energy", "source $k: energy of one", ratio(energy, net), units.energy, KINETIC)
         }
         if (refused.any { it > 0 }) {
             val tried = DoubleArray(came.size) { came[it] + refused[it] }
@@ -117,7 +117,12 @@ internal class SourcesSection(private val study: Study) : Section {
         private const val ENERGY = 7
         private const val MOST_POINTS = 800
 
-        /** Whether ids are given again to spheres that come, so that they say nothing of where one has been. */
-        fun bring(study: Study): Boolean = study.input.scenario?.sources.orEmpty().any { it.brings }
+        private const val KINETIC = "kinetic and of rotation"
+
+        /**
+         * Whether spheres come or leave: then ids are given again, or those that are in all states are the slow ones, so
+         * they say nothing of where spheres go.
+         */
+        fun areThere(study: Study): Boolean = study.input.scenario?.sources.orEmpty().isNotEmpty()
     }
 }

@@ -42,7 +42,7 @@ class SourcesReportTest {
         assertTrue("Sources and sinks</h2>" in page)
         assertTrue("Sources: 0: reservoir; 1: reservoir." in page)
         // Ids are given again, and no density is that of the theory.
-        assertTrue("spheres come and leave, and those that come may have the ids" in page)
+        assertTrue("spheres come or leave, so those that stay are no sample" in page)
         assertFalse("Relaxation</h2>" in page)
         val rows = numbers(path)
         fun value(key: String) = rows.getValue(key)[1].toDouble()
