@@ -100,7 +100,8 @@ class SwapsScenarioTest {
             "forces=[{\"type\": \"uniform-acceleration\", \"acceleration\": [0, 0, -1]}]" to
                 "swaps: need spheres on which no force",
             "boundary={\"type\": \"lees-edwards\", \"shearRate\": 0.1}" to "swaps: need a boundary without shear",
-            "boundary={\"type\": \"sheared-periodic\", \"velocityJump\": 0.1}" to "swaps: need a boundary without shear",
+            "boundary={\"type\": \"sheared-periodic\", \"velocityJump\": 0.1}" to
+                "swaps: need a boundary without shear",
             "frame={\"type\": \"hill\", \"angularSpeed\": 1}|boundary={\"type\": \"open\"}" to
                 "swaps: need a frame that does not turn",
         )) {
