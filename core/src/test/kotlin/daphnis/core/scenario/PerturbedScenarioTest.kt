@@ -29,6 +29,7 @@ class PerturbedScenarioTest {
             listOf("""boundary={"type":"periodic","perturbation":0.5}""") to "boundary.perturbation",
             listOf("""boundary={"type":"lees-edwards","shearRate":1,"perturbation":0.5}""") to "boundary.perturbation",
             listOf("""forces=[{"type":"self-gravity"}]""") to "forces[0]",
+            listOf("""forces=[{"type":"body-gravity"}]""") to "forces[0]",
             listOf("""forces=[{"type":"satellite","massRatio":1e-12,"x":-200,"y":0}]""") to "forces[0]",
             listOf("""forces=[{"type":"rescaling","temperature":1e-7,"time":1000}]""") to "forces[0]",
             listOf("""bodies=[{"radius":5,"density":200,"position":[0,0,0]}]""") to "bodies[0]",
