@@ -40,7 +40,11 @@ internal class DiscLayer(private val scene: Scene, private val raster: DiscRaste
         for (k in 0 until p.size) {
             if (!isShown(k)) continue
             val r = p.radius[k]
-            if (box.isNear(k, r)) addImages(state, box, k) else add(k, r, p.y[k], p.position(up)[k], p.position(along)[k])
+            if (box.isNear(k, r)) {
+                addImages(state, box, k)
+            } else {
+                add(k, r, p.y[k], p.position(up)[k], p.position(along)[k])
+            }
         }
     }
 
