@@ -38,7 +38,7 @@ internal object PerturbedSheet {
         if (!isOfFewPhases(study.input, study.last, study.averaged)) return null
         val late = study.input.times.indices.filter { study.input.times[it] >= study.from }
         val help = if (late.size > study.averaged.size && !isOfFewPhases(study.input, study.last, late)) {
-            "--frames ${late.size} would take all that there are"
+            "${late.size} frames would take all that there are"
         } else {
             "a run with ${spread(study)} would have them"
         }
@@ -56,7 +56,7 @@ internal object PerturbedSheet {
         val period = period(study.input, study.last)!!
         val apart = times[1] - times[0]
         val every = (floor(apart / period + ROUNDING) + GOLDEN) * period / apart * output.snapshotEvery
-        return "--set output.snapshotEvery=${every.roundToInt()}"
+        return "output.snapshotEvery=${every.roundToInt()}"
     }
 
     /** q: of the widths that the box of [state] has the largest less the least over their sum. */

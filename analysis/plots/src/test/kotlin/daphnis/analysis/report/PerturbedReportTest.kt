@@ -71,7 +71,7 @@ class PerturbedReportTest {
         assertEquals(ofStates, one.numbers().filter { it.value.isNaN() }.map { it.key })
         one.write(home)
         val html = Files.readString(home.resolve("report.html"))
-        assertTrue("26 states averaged are not spread over the phases" in html && "--frames 104 would" in html)
+        assertTrue("26 states averaged are not spread over the phases" in html && "104 frames would" in html)
         assertTrue("since the states are of few phases" in html)
         assertTrue("r Ω,,states of few phases," in Files.readString(home.resolve("tables/numbers.csv")))
         // Without the other states another run is needed.
@@ -80,7 +80,7 @@ class PerturbedReportTest {
         Run.start(BuiltIn.scenario("perturbed-ring", settings), "perturbed-ring", few).use { it.execute() }
         Analysis(AnalysisInput.ofRun(few)).write(few)
         val page = Files.readString(few.resolve("report.html"))
-        assertTrue("a run with --set output.snapshotEvery=238 would" in page)
+        assertTrue("a run with output.snapshotEvery=238 would" in page)
     }
 
     @Test
