@@ -4,6 +4,7 @@ import daphnis.core.boundary.at
 import daphnis.core.input.InputException
 import daphnis.core.population.granularTemperature
 import daphnis.core.run.Run
+import daphnis.core.run.RunOrigin
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertThrows
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -28,6 +29,7 @@ class PerturbedScenarioTest {
             listOf("""boundary={"type":"periodic","perturbation":0.5}""") to "boundary.perturbation",
             listOf("""boundary={"type":"lees-edwards","shearRate":1,"perturbation":0.5}""") to "boundary.perturbation",
             listOf("""forces=[{"type":"self-gravity"}]""") to "forces[0]",
+            listOf("""forces=[{"type":"body-gravity"}]""") to "forces[0]",
             listOf("""forces=[{"type":"satellite","massRatio":1e-12,"x":-200,"y":0}]""") to "forces[0]",
             listOf("""forces=[{"type":"rescaling","temperature":1e-7,"time":1000}]""") to "forces[0]",
             listOf("""bodies=[{"radius":5,"density":200,"position":[0,0,0]}]""") to "bodies[0]",
@@ -96,5 +98,35 @@ class PerturbedScenarioTest {
                 Files.readString(part.resolve("transport.csv")),
             )
         }
+    }
+
+    @Test
+    fun `a run from any state of another ends in the bits of that, and one with other images is refused`(
+        @TempDir home: Path,
+    ) {
+        val settings = listOf("output.snapshotEvery=5", "timeStep.steps=60", "untilOrbits=1")
+        fun start(name: String, scenario: Scenario, from: RunOrigin? = null) =
+            Run.start(scenario, "ring", home.resolve(name), from = from).use { it.execute() }
+        val whole = start("whole", scenario(*settings.toTypedArray()))
+        val run = Run.open(home.resolve("whole"))
+        fun again(vararg changed: String) = ScenarioJson.read(home.resolve("whole/scenario.json")).let {
+            ScenarioJson.parse(ScenarioJson.write(it), "ring", changed.toList())
+        }
+        fun wrong(changed: String, step: Long) = assertThrows(InputException::class.java) {
+            start("wrong", again(changed), RunOrigin(run, run.atStep(step)))
+        }.message!!
+        for (step in listOf(0L, 5L, 15L, 35L)) {
+            val end = start("from$step", again(), RunOrigin(run, run.atStep(step)))
+            assertEquals(whole.stateDigest, end.stateDigest) { "from $step" }
+        }
+        for (changed in listOf("boundary.perturbation=0.4", "boundary.perturbation=0", "box.lengths=[41,40,20]")) {
+            assertTrue("box.lengths[0]: is " in wrong(changed, 35)) { wrong(changed, 35) }
+        }
+        // Round-off is no other box.
+        start("close", again("box.lengths=[40.000000000001,40,20]"), RunOrigin(run, run.atStep(55)))
+        // A quarter of a period after the narrowest it is as wide as on average for every q, with images elsewhere.
+        assertEquals(40.0, run.atStep(15).lengths[0], 1e-6)
+        val elsewhere = wrong("boundary.perturbation=0.4", 15)
+        assertTrue("boundary: puts images off by" in elsewhere && "placement.time" !in elsewhere) { elsewhere }
     }
 }

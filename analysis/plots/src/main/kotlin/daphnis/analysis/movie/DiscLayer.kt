@@ -1,8 +1,6 @@
 package daphnis.analysis.movie
 
 import daphnis.analysis.insitu.State
-import daphnis.core.boundary.prepare
-import daphnis.core.space.Images
 import kotlin.math.floor
 
 /**
@@ -21,10 +19,10 @@ internal class DiscLayer(private val scene: Scene, private val raster: DiscRaste
     private var index = IntArray(FIRST)
     private var order = LongArray(FIRST)
 
-    /** Draws the spheres of [state] that [isShown], each in the colour that [rgb] gives for its index and pixel. */
-    fun draw(state: State, isShown: (Int) -> Boolean, rgb: (Int, Double, Double) -> Int) {
+    /** Draws the spheres of [state], in its [box], that [isShown], each in the colour that [rgb] gives for its index and pixel. */
+    fun draw(state: State, box: PictureBox, isShown: (Int) -> Boolean, rgb: (Int, Double, Double) -> Int) {
         count = 0
-        gather(state, isShown)
+        gather(state, box, isShown)
         order.sort(0, count)
         val p = state.population
         for (n in 0 until count) {
@@ -33,51 +31,31 @@ internal class DiscLayer(private val scene: Scene, private val raster: DiscRaste
             val least = if (state.isParticle(k)) 0.0 else LEAST_BODY
             val across = maxOf(p.radius[k] * view.scaleX, least)
             val above = maxOf(p.radius[k] * view.scaleY, least)
-            raster.draw(x[entry], y[entry], across, above, rgb(k, x[entry], y[entry]))
+            raster.draw(box, x[entry], y[entry], across, above, rgb(k, x[entry], y[entry]))
         }
     }
 
-    private fun gather(state: State, isShown: (Int) -> Boolean) {
+    private fun gather(state: State, box: PictureBox, isShown: (Int) -> Boolean) {
         val p = state.population
-        val box = state.boundary.box
-        val images = Images().apply { prepare(state.boundary, state.time) }
-        // Along x seen from the side images would only be nearer or farther.
-        val axes = if (up == 0) intArrayOf(0, 1) else intArrayOf(1, 2)
         for (k in 0 until p.size) {
             if (!isShown(k)) continue
             val r = p.radius[k]
-            val isNear = axes.any { axis ->
-                val place = p.position(axis)[k]
-                images.period(axis) > 0 && (place - r < box.lower(axis) || place + r > box.upper(axis))
+            if (box.isNear(k, r)) {
+                addImages(state, box, k)
+            } else {
+                add(k, r, p.y[k], p.position(up)[k], p.position(along)[k])
             }
-            if (!isNear) add(k, r, p.y[k], p.position(up)[k], p.position(along)[k]) else addImages(state, images, k)
         }
     }
 
-    private fun addImages(state: State, images: Images, k: Int) {
+    private fun addImages(state: State, box: PictureBox, k: Int) {
         val p = state.population
-        val box = state.boundary.box
-        fun reach(axis: Int, isSeen: Boolean) = if (isSeen && images.period(axis) > 0) REACH else 0
-        val alongX = reach(0, up == 0)
-        val alongY = reach(1, true)
-        val alongZ = reach(2, up == 2)
-        for (iz in -alongZ..alongZ) {
-            for (iy in -alongY..alongY) {
-                for (ix in -alongX..alongX) {
-                    val code = Images.code(ix, iy, iz)
-                    var depth = p.position(along)[k] + images.shift(code, along)
-                    // An image beyond a face may have slid out of the box along the line of sight.
-                    val period = images.period(along)
-                    if (period > 0) depth -= floor((depth - box.lower(along)) / period) * period
-                    add(
-                        k,
-                        p.radius[k],
-                        p.y[k] + images.shift(code, 1),
-                        p.position(up)[k] + images.shift(code, up),
-                        depth,
-                    )
-                }
-            }
+        for (code in box.codes) {
+            var depth = p.position(along)[k] + box.shift(code, along)
+            // An image beyond a face may have slid out of the box along the line of sight.
+            val period = box.period(along)
+            if (period > 0) depth -= floor((depth - state.boundary.box.lower(along)) / period) * period
+            add(k, p.radius[k], p.y[k] + box.shift(code, 1), p.position(up)[k] + box.shift(code, up), depth)
         }
     }
 
@@ -104,9 +82,6 @@ internal class DiscLayer(private val scene: Scene, private val raster: DiscRaste
 
     private companion object {
         const val FIRST = 1024
-
-        /** Two boxes away along the slide, since images are displaced by up to one. */
-        const val REACH = 2
 
         /** Radius in pixels: a body is not overlooked. */
         const val LEAST_BODY = 1.5

@@ -4,22 +4,22 @@ import kotlin.math.ceil
 import kotlin.math.floor
 import kotlin.math.sqrt
 
-/** Draws shaded discs into [pixels] in rows of the width of [view], cut at the border of its window. */
+/** Draws shaded discs into [pixels] in rows of the width of [view], cut at the border of a box. */
 internal class DiscRaster(private val pixels: IntArray, private val view: Viewport) {
     /**
-     * A sphere at the pixel ([x], [y]) with half widths [across] and [above], lit from the upper left. One that is
+     * A sphere, of which what is in [box] is seen, at the pixel ([x], [y]) with half widths [across] and [above], lit from the upper left. One that is
      * smaller than a pixel covers as much of one as it is large.
      */
-    fun draw(x: Double, y: Double, across: Double, above: Double, rgb: Int) {
+    fun draw(box: PictureBox, x: Double, y: Double, across: Double, above: Double, rgb: Int) {
         val rx = maxOf(across, LEAST)
         val ry = maxOf(above, LEAST)
         val opacity = across * above / (rx * ry)
         val edge = minOf(rx, ry)
         val isShaded = edge > SHADED
-        val left = maxOf(floor(x - rx - 0.5).toInt(), view.firstColumn)
-        val right = minOf(ceil(x + rx + 0.5).toInt(), view.endColumn - 1)
-        val top = maxOf(floor(y - ry - 0.5).toInt(), 0)
-        val bottom = minOf(ceil(y + ry + 0.5).toInt(), view.height - 1)
+        val left = maxOf(floor(x - rx - 0.5).toInt(), box.firstColumn)
+        val right = minOf(ceil(x + rx + 0.5).toInt(), box.endColumn - 1)
+        val top = maxOf(floor(y - ry - 0.5).toInt(), box.firstRow)
+        val bottom = minOf(ceil(y + ry + 0.5).toInt(), box.endRow - 1)
         for (j in top..bottom) {
             val v = (j + 0.5 - y) / ry
             for (i in left..right) {

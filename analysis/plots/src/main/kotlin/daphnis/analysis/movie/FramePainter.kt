@@ -26,10 +26,11 @@ internal class FramePainter(private val scene: Scene, private val legend: Legend
     /** Paints [state]; the picture is valid until the next call. */
     fun paint(state: State, clock: String): BufferedImage {
         pixels.fill(ColourMap.SPACE)
-        grid?.let { weigh(state, it) }
-        if (scene.isImage) ground(grid!!)
+        val box = PictureBox(state, view, options.view.up)
+        grid?.let { weigh(state, box, it) }
+        if (scene.isImage) ground(box, grid!!)
         val radius = state.population.radius
-        discs.draw(state, { !state.isParticle(it) || !scene.isImage || scene.isDisc(radius[it]) }) { k, x, y ->
+        discs.draw(state, box, { !state.isParticle(it) || !scene.isImage || scene.isDisc(radius[it]) }) { k, x, y ->
             if (state.isParticle(k)) colourOf(state, k, x, y) else ColourMap.BODY
         }
         legend.paint(image, clock, map)
@@ -44,24 +45,29 @@ internal class FramePainter(private val scene: Scene, private val legend: Legend
         return map.rgb(scene.colours.place(density))
     }
 
-    private fun weigh(state: State, grid: SurfaceGrid) {
+    /** With what is beyond the faces of a box that is narrower than the window, so that it has no thin borders. */
+    private fun weigh(state: State, box: PictureBox, grid: SurfaceGrid) {
         grid.clear()
+        val beyond = scene.cell * (scene.passes + 1) / minOf(view.scaleX, view.scaleY)
         val p = state.population
         val window = view.window
         val above = p.position(options.view.up)
         for (k in 0 until p.size) {
             if (!state.isParticle(k) || scene.isImage && scene.isDisc(p.radius[k])) continue
-            val x = p.y[k]
-            if (x !in window.left..window.right || above[k] !in window.bottom..window.top) continue
-            grid.add(view.x(x), view.y(above[k]), p.mass[k], state.quantity(options.colour, k))
+            for (code in if (box.isPart && box.isNear(k, beyond)) box.codes else ITSELF) {
+                val x = p.y[k] + box.shift(code, 1)
+                val y = above[k] + box.shift(code, options.view.up)
+                if (x !in window.left..window.right || y !in window.bottom..window.top) continue
+                grid.add(view.x(x), view.y(y), p.mass[k], state.quantity(options.colour, k))
+            }
         }
         grid.smooth(scene.passes)
     }
 
     /** The surface density as brightness; the colour is that of the mean sphere there. */
-    private fun ground(grid: SurfaceGrid) {
-        for (row in 0 until view.height) {
-            for (column in view.firstColumn until view.endColumn) {
+    private fun ground(box: PictureBox, grid: SurfaceGrid) {
+        for (row in box.firstRow until box.endRow) {
+            for (column in box.firstColumn until box.endColumn) {
                 val k = grid.cellAt(column, row)
                 val density = grid.density(k)
                 if (density <= 0) continue
@@ -78,5 +84,6 @@ internal class FramePainter(private val scene: Scene, private val legend: Legend
     private companion object {
         /** Faint parts are lifted, as film does. */
         const val GAMMA = 0.6
+        val ITSELF = intArrayOf(0)
     }
 }

@@ -77,7 +77,9 @@ public class Analysis @JvmOverloads constructor(
         return sections.numbers().map {
             val isSteady = it.unknown != Unknown.UNSTEADY && it.unknown != Unknown.ONE_STATE
             val isJudged = !(sections.isUnjudged && it.isAverage)
-            ReportNumber(checkNotNull(it.key) { it.name }, it.name, it.unit, it.value, isSteady, isJudged)
+            // Of one phase it is not the number that others are compared with.
+            val value = if (it.unknown == Unknown.FEW_PHASES) Double.NaN else it.value
+            ReportNumber(checkNotNull(it.key) { it.name }, it.name, it.unit, value, isSteady, isJudged)
         }
     }
 

@@ -55,15 +55,16 @@ internal class BrightnessGridPart(private val study: Study, private val options:
         return study.judgement.shown(rows.list())
     }
 
-    /** Whether there is a darkest place: ansae are those of a ring. */
-    private fun isSeen(asymmetry: AzimuthalAsymmetry) = study.isRing && asymmetry.isSeen
+    /** Whether there is a darkest place: ansae are those of a ring, and without errors nobody knows what chance makes. */
+    private fun isSeen(asymmetry: AzimuthalAsymmetry) =
+        study.isRing && asymmetry.isSeen && !study.judgement.error(asymmetry.minimum).isNaN()
 
     override fun write(page: ReportPage) {
         page.numbers(rows())
-        if (study.isRing && asymmetries.none { it?.isSeen == true }) {
+        if (study.isRing && asymmetries.none { it != null && isSeen(it) }) {
             page.paragraph(
                 "There is no darkest azimuth: I/F does not depend on the azimuth by more than chance makes it, or " +
-                    "there are too few states to tell, or fewer than three azimuths in half a turn.",
+                    "there are no errors that could tell (too few states, or a run that is not steady), or fewer than three azimuths in half a turn.",
             )
         }
         azimuths(page)
@@ -75,11 +76,12 @@ internal class BrightnessGridPart(private val study: Study, private val options:
     private fun azimuths(page: ReportPage) {
         val curves = elevations.mapIndexed { i, elevation ->
             val own = List(n) { light.average(measure.total(i * n + it)) }
+            // The turn ends where it began.
             Curve(
                 "B = ${ReportText.short(elevation)}°",
-                azimuths,
-                DoubleArray(n) { own[it].mean },
-                study.judgement.errors(DoubleArray(n) { own[it].error }),
+                azimuths + (azimuths[0] + 2 * HALF),
+                DoubleArray(n + 1) { own[it % n].mean },
+                study.judgement.errors(DoubleArray(n + 1) { own[it % n].error }),
             )
         }
         val figure = Chart.lines(curves, "azimuth A [degrees]", "I/F", marks = TURN)

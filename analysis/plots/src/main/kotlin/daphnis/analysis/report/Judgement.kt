@@ -8,12 +8,17 @@ import daphnis.analysis.statistics.Steadiness.Verdict
  *
  * @param states how many states averages are over
  * @param isChanging whether it is known that they are not
+ * @param isOfFewPhases whether the states are not spread over the period with which all changes, so that no average over
+ *   them has an error
+ * @param ofRows keys of the numbers that are averages over rows, and not over states
  * @param quantities the main ones over time, of which each is judged; asked for once, when all states have been seen
  */
 internal class Judgement(
     private val from: Double,
     private val states: Int,
     private val isChanging: Boolean = false,
+    private val isOfFewPhases: Boolean = false,
+    private val ofRows: Set<String> = emptySet(),
     quantities: () -> List<History>,
 ) {
     /** Those that change at all. */
@@ -35,12 +40,13 @@ internal class Judgement(
     /** Whether none is seen to drift, but one has too few rows to tell. */
     val isUnjudged by lazy { !isDrifting && found.any { it.verdict == Verdict.TOO_SHORT } }
 
-    /** The standard error of [average], NaN where the run or the number with the [key] drifts, which it is part of. */
+    /** The standard error of [average] over states, NaN where the run or the number with the [key] drifts, which it is part of. */
     fun error(average: BlockAverage, key: String? = null): Double =
-        if (isDrifting || key in drifting) Double.NaN else average.error
+        if (isDrifting || isOfFewPhases || key in drifting) Double.NaN else average.error
 
-    /** [errors] of averages, NaN where the run drifts. */
-    fun errors(errors: DoubleArray): DoubleArray = if (isDrifting) DoubleArray(errors.size) { Double.NaN } else errors
+    /** [errors] of averages over states, NaN where the run drifts. */
+    fun errors(errors: DoubleArray): DoubleArray =
+        if (isDrifting || isOfFewPhases) DoubleArray(errors.size) { Double.NaN } else errors
 
     /**
      * [rows] as they are shown: averages over a time in which they, or the run, drift have no error. Nor have those
@@ -51,6 +57,7 @@ internal class Judgement(
         return rows.map {
             when {
                 isDrifting || it.key in drifting -> it.without(why)
+                isOfFewPhases && it.key !in ofRows -> it.without(Unknown.FEW_PHASES)
                 isSlow && !it.error.isNaN() && RunHistory.followsTemperature(it.key) -> it.without(Unknown.TOO_FEW)
                 else -> it
             }
@@ -65,6 +72,7 @@ internal class Judgement(
     fun bars(steady: String = ofStates()): String = when {
         isOfOne -> NOT_OF_ONE
         isDrifting -> NO_BARS
+        isOfFewPhases -> NOT_OF_PERIOD
         else -> steady
     }
 
@@ -79,6 +87,7 @@ internal class Judgement(
                 "have a value, where these are worth fewer than eight independent ones, or where what it is part of " +
                 "drifts."
         const val NOT_OF_ONE = "There are no bars: numbers are of one state."
+        const val NOT_OF_PERIOD = "There are no bars, since the states are of few phases of the radial period."
         const val NO_BARS = "There are no bars, since the run is not steady over the time averaged."
     }
 }

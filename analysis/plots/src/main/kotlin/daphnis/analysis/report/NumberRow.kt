@@ -57,6 +57,11 @@ internal enum class Unknown(val remark: String, val mark: String, val sentence: 
     ),
     UNSTEADY("not steady", "!", "No error is given: the run is not steady over the time averaged."),
     ONE_STATE("not steady", "!", "No error is given: the number is of one state of a run that changes."),
+    FEW_PHASES(
+        "states of few phases",
+        "‡",
+        "No error is given: the states are of few phases of the radial period, so this is no mean over it.",
+    ),
 }
 
 /** A list of quantities in the making; each gets the one of [references] that has its key. */

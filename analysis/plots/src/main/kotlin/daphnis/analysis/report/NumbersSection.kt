@@ -29,6 +29,7 @@ internal class NumbersSection(private val study: Study, private val others: List
         if (rows.any { "unit" in it.unit }) notes += "Units without a name are those of the $source."
         if (notes.isNotEmpty()) page.paragraph(notes.joinToString(" "))
         for (line in steadiness()) page.paragraph(line)
+        PerturbedSheet.remark(study)?.let(page::paragraph)
         page.numbers(rows)
         RunSection.longer(study, rows)?.let(page::paragraph)
         Files.createDirectories(study.tables)

@@ -163,6 +163,12 @@ internal object RunHistory {
     /** Whether the number of this [key] rises and falls with the temperature of its box: it is no ratio of such. */
     fun followsTemperature(key: String?): Boolean = key in FOLLOWING || key?.startsWith("partial_temperature") == true
 
+    /** Keys of the numbers of a ring that [motion] has from rows of transport.csv or series.csv, and not from states. */
+    fun ofRows(input: AnalysisInput, motion: Motion): Set<String> {
+        val spins = OF_SPINS.takeIf { input.series?.let { SeriesColumns.ROTATIONAL_TEMPERATURE in it } == true }
+        return (if (motion.transport == null) emptySet() else OF_ROWS) + spins.orEmpty()
+    }
+
     private val OF_SPEED = setOf(
         "velocity_dispersion",
         "sigma_x",
@@ -194,6 +200,8 @@ internal object RunHistory {
         "reduced_shear_stress",
         "shear_work_over_dissipation",
     )
+    private val OF_ROWS = OF_SPEED + OF_COLLISIONS + OF_STRESS + PerturbedSheet.FLUXES +
+        setOf("scale_height", "velocity_dispersion_total")
     private val FOLLOWING = OF_SPEED + OF_COLLISIONS + OF_STRESS -
         setOf("compressibility", "shear_work_over_dissipation", "wall_work_over_dissipation")
 }

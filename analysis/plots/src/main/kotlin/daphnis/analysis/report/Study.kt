@@ -38,7 +38,13 @@ internal class Study(
     val boxes: Boxes = Boxes(averaged.map { input.boundary(it) })
     val motion: Motion = Motion(input, from, last)
 
-    val judgement: Judgement = Judgement(from, averaged.size, isGrowing) {
+    val judgement: Judgement = Judgement(
+        from,
+        averaged.size,
+        isGrowing,
+        PerturbedSheet.isOfFewPhases(input, last, averaged),
+        RunHistory.ofRows(input, motion),
+    ) {
         RunHistory.of(input, from).ifEmpty { listOfNotNull(motion.history(from)) }
     }
 

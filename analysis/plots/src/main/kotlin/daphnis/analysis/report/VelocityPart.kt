@@ -98,7 +98,8 @@ internal class VelocityPart(private val study: Study, private val axes: List<Int
     }
 
     private fun slope(found: VelocityAutocorrelation): NumberRow? {
-        val s = found.slope() ?: return null
+        // Spheres that never meet have none but round-off.
+        val s = found.slope()?.takeIf { abs(it.mean) * step() > NO_CHANGE } ?: return null
         val unknown = Unknown.SHORT_TIME.takeIf { !s.isLevelled }
         val name = "slope of the velocity autocorrelation C′(0)/C(0)"
         return NumberRow(name, s.mean, s.error, units.rate, expected(), "", unknown, SLOPE)
@@ -129,7 +130,7 @@ internal class VelocityPart(private val study: Study, private val axes: List<Int
         val enskog = nu?.let {
             Curve("Enskog, exp(−2νt/d)", found.lag, DoubleArray(found.lag.size) { k -> exp(it * found.lag[k]) })
         }
-        val bars = study.judgement.bars("Bars are one standard error.")
+        val bars = if (found.normalisedError().none { it > NO_CHANGE }) "" else study.judgement.bars(BARS)
         study.draw(
             page,
             Chart.lines(listOfNotNull(c, enskog), axis, "velocity autocorrelation", logX = true, horizontal = 0.0),
@@ -204,5 +205,9 @@ internal class VelocityPart(private val study: Study, private val axes: List<Int
         /** By how much the parabola of the slope may miss, relative. */
         const val OF_PARABOLA = 0.01
         const val CLEARLY = 3
+
+        /** Of the logarithm of C in a step, and of its error: round-off. */
+        const val NO_CHANGE = 1e-12
+        const val BARS = "Bars are one standard error; at lags too long for the time there are none."
     }
 }

@@ -9,6 +9,9 @@ import daphnis.core.boundary.Box
 import daphnis.core.boundary.LeesEdwards
 import daphnis.core.boundary.Open
 import daphnis.core.boundary.Periodic
+import daphnis.core.boundary.at
+import daphnis.core.hill.HillSheet
+import daphnis.core.population.Population
 import daphnis.core.populationOf
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -113,6 +116,47 @@ class FramePainterTest {
         assertTrue(sheared.shows(4.9, 1.0))
         assertTrue(!sheared.shows(-4.9, 1.0))
         assertTrue(sheared.shows(-4.9, -1.1))
+    }
+
+    /** The earlier state of two, of a sheet that is 5 wide in the first and 15 in the second, which the window is of. */
+    private fun breathing(colour: MovieColour, make: (BoundaryConditions) -> Population): BufferedImage {
+        val sheet = HillSheet(box, 1.0, perturbation = 0.5)
+        val survey = Survey(MovieOptions(MovieView.TOP, colour, width = 400))
+        val states = listOf(0.0, Math.PI).map { State(make(sheet.at(it)), sheet, it) }
+        for (s in states) survey.look(s)
+        for (s in states) survey.weigh(s)
+        val scene = survey.scene(UnitNames(null), null)
+        return FramePainter(scene, Legend(scene)).paint(states[0], "t = 0")
+    }
+
+    @Test
+    fun `a box that is narrower than the window is cut at its own faces`() {
+        // At time 0 images have not slid; the picture is 400 pixels high for a length of 15.
+        for (colour in listOf(MovieColour.SIZE, MovieColour.DENSITY)) {
+            val image = breathing(colour) { populationOf(Sphere(2.4, 0.0, 0.0, r = 0.4)) }
+            fun shows(up: Double) = image.getRGB(200, ((7.5 - up) * 400 / 15).toInt()) and 0xffffff != ColourMap.SPACE
+            val seen = listOf(7.4, 2.6, 2.45, 2.1, 0.0, -2.45, -2.7, -3.0).map { it to shows(it) }
+            assertTrue(shows(2.1) && shows(2.45) && shows(-2.45)) { "$colour $seen" }
+            assertTrue(!shows(2.6) && !shows(-2.7) && !shows(-3.0) && !shows(7.4))
+        }
+    }
+
+    @Test
+    fun `the faces of a box that is narrower than the window are no thinner than the rest`() {
+        for (radius in listOf(0.0025, 0.1)) {
+            val image = breathing(MovieColour.DENSITY) { uniform(40_000, it, radius = radius).population }
+            fun mean(rows: IntRange): Double {
+                var sum = 0.0
+                for (y in rows) for (x in 100 until 300) sum += image.getRGB(x, y) shr 8 and 0xff
+                return sum / (rows.count() * 200)
+            }
+            // The box has rows 133 to 267.
+            val inside = mean(180..220)
+            for (face in listOf(mean(134..137), mean(262..265))) {
+                assertEquals(inside, face, (if (radius < 0.01) 0.15 else 0.1) * inside) { "$radius" }
+            }
+            assertEquals(ColourMap.SPACE, image.getRGB(200, 130) and 0xffffff)
+        }
     }
 
     @Test

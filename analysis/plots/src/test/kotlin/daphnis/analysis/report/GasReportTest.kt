@@ -3,6 +3,7 @@ package daphnis.analysis.report
 import daphnis.analysis.input.AnalysisInput
 import daphnis.core.run.Run
 import daphnis.core.scenario.BuiltIn
+import daphnis.core.scenario.ScenarioJson
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertTrue
@@ -96,6 +97,30 @@ class GasReportTest {
         )) {
             assertTrue(Files.exists(path.resolve("plots/$plot.svg"))) { plot }
         }
+    }
+
+    @Test
+    fun `two spheres that never meet have no slope, and bars are promised where there are some`() {
+        Files.writeString(home.resolve("two.csv"), "x,y,z,radius,vx,vy,vz\n-2,0,0,0.5,0.1,0,0\n2,0,0,0.5,0,0.1,0\n")
+        val scenario = ScenarioJson.parse(
+            """{ "box": { "lengths": [8, 8, 8] }, "boundary": { "type": "periodic" },
+              "placement": { "type": "file", "path": "${home.resolve("two.csv")}", "density": 1 },
+              "restitution": { "type": "constant", "coefficient": 1 },
+              "timeStep": { "type": "fixed", "dt": 0.1 }, "until": 6,
+              "output": { "snapshotEvery": 1, "transportEvery": 5 } }""",
+            "two",
+        )
+        val path = home.resolve("two")
+        Run.start(scenario, "two", path).use { it.execute() }
+        Analysis(AnalysisInput.ofRun(path)).write(path)
+        assertTrue(column(path, "velocity-autocorrelation", "C_normalised").all { abs(it - 1) < 1e-12 })
+        assertTrue("velocity_correlation_slope" !in numbers(path))
+        fun caption(path: Path) =
+            Files.readString(path.resolve("report.html")).substringAfter("<figcaption>Velocity autocorrelation")
+                .substringBefore("</figcaption>")
+        assertTrue("Bars" !in caption(path)) { caption(path) }
+        val met = report("met", "elastic-gas", *gas("[0.5]", 5.7337, 108, 4))
+        assertTrue("Bars are one standard error; at lags" in caption(met)) { caption(met) }
     }
 
     @Test

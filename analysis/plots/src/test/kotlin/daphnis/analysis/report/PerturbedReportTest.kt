@@ -51,6 +51,39 @@ class PerturbedReportTest {
     }
 
     @Test
+    fun `what is of states of one phase has no error and no value in a sweep, and the report says what to set`(
+        @TempDir home: Path,
+    ) {
+        val scenario = BuiltIn.scenario("perturbed-ring", small + listOf("output.snapshotEvery=25", "untilOrbits=28"))
+        Run.start(scenario, "perturbed-ring", home).use { it.execute() }
+        val from = 2 * 47819.0
+        val ofStates = listOf("velocity_dispersion_thermal", "midplane_filling_factor")
+        val input = AnalysisInput.ofRun(home)
+        // All are of four phases, every fourth is of one.
+        val spread = Analysis(input, AnalysisOptions(from = from, frames = 104))
+        assertTrue(spread.rows().filter { it.key in ofStates }.all { it.error > 0 })
+        assertTrue(spread.numbers().filter { it.key in ofStates }.all { it.value > 0 })
+        val one = Analysis(input, AnalysisOptions(from = from, frames = 26))
+        val rows = one.rows()
+        assertEquals(ofStates, rows.filter { it.unknown == Unknown.FEW_PHASES }.map { it.key })
+        assertTrue(rows.filter { it.key in ofStates }.all { it.error.isNaN() && it.value > 0 })
+        assertTrue(rows.single { it.key == "velocity_dispersion" }.error > 0)
+        assertEquals(ofStates, one.numbers().filter { it.value.isNaN() }.map { it.key })
+        one.write(home)
+        val html = Files.readString(home.resolve("report.html"))
+        assertTrue("26 states averaged are not spread over the phases" in html && "104 frames would" in html)
+        assertTrue("since the states are of few phases" in html)
+        assertTrue("r Ω,,states of few phases," in Files.readString(home.resolve("tables/numbers.csv")))
+        // Without the other states another run is needed.
+        val few = home.resolve("few")
+        val settings = small + listOf("output.snapshotEvery=200", "untilOrbits=8")
+        Run.start(BuiltIn.scenario("perturbed-ring", settings), "perturbed-ring", few).use { it.execute() }
+        Analysis(AnalysisInput.ofRun(few)).write(few)
+        val page = Files.readString(few.resolve("report.html"))
+        assertTrue("a run with output.snapshotEvery=238 would" in page)
+    }
+
+    @Test
     fun `the surface density of q = 0,866 goes up and down by the factor 13,93`(@TempDir home: Path) {
         val settings = small + listOf(
             "boundary.perturbation=0.866",
