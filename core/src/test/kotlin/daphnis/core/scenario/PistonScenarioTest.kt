@@ -119,7 +119,7 @@ class PistonScenarioTest {
         val bytes = assertThrows(InputException::class.java) {
             Run.start(scenario(plain), "test", home.resolve("4"), from = RunOrigin(ofTorn, ofTorn.atStep(8)))
         }
-        assertTrue("series.csv: cannot be read" in bytes.message.orEmpty()) { "${bytes.message}" }
+        assertTrue("series.csv: has 2 bytes where the run wrote" in bytes.message.orEmpty()) { "${bytes.message}" }
         // Rows that are of another run, or twice.
         val row = text.lines().first { it.startsWith("8,") }
         val time = row.split(',')[1]
