@@ -23,7 +23,8 @@ import daphnis.core.source.Sources
  * ```
  *
  * One step: forces act for its first half · spheres drift with every collision in time order · boundary conditions ·
- * forces act for its second half · sources and sinks ([StepPhases]) · outputs are called. Not thread-safe: one thread calls; an engine may
+ * forces act for its second half · swaps · sources and sinks ([StepPhases]) · outputs are called. Not thread-safe: one
+ * thread calls; an engine may
  * use more within [advance].
  *
  * @param collisions null for spheres that pass through one another

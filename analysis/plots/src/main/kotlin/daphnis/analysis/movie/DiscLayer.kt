@@ -19,7 +19,10 @@ internal class DiscLayer(private val scene: Scene, private val raster: DiscRaste
     private var index = IntArray(FIRST)
     private var order = LongArray(FIRST)
 
-    /** Draws the spheres of [state], in its [box], that [isShown], each in the colour that [rgb] gives for its index and pixel. */
+    /**
+     * Draws the spheres of [state], in its [box], that [isShown], each in the colour that [rgb] gives for its index and
+     * pixel.
+     */
     fun draw(state: State, box: PictureBox, isShown: (Int) -> Boolean, rgb: (Int, Double, Double) -> Int) {
         count = 0
         gather(state, box, isShown)

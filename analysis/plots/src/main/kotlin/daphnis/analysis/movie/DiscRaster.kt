@@ -7,8 +7,8 @@ import kotlin.math.sqrt
 /** Draws shaded discs into [pixels] in rows of the width of [view], cut at the border of a box. */
 internal class DiscRaster(private val pixels: IntArray, private val view: Viewport) {
     /**
-     * A sphere, of which what is in [box] is seen, at the pixel ([x], [y]) with half widths [across] and [above], lit from the upper left. One that is
-     * smaller than a pixel covers as much of one as it is large.
+     * A sphere, of which what is in [box] is seen, at the pixel ([x], [y]) with half widths [across] and [above], lit from
+     * the upper left. One that is smaller than a pixel covers as much of one as it is large.
      */
     fun draw(box: PictureBox, x: Double, y: Double, across: Double, above: Double, rgb: Int) {
         val rx = maxOf(across, LEAST)

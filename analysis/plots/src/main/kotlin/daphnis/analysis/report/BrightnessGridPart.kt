@@ -64,7 +64,8 @@ internal class BrightnessGridPart(private val study: Study, private val options:
         if (study.isRing && asymmetries.none { it != null && isSeen(it) }) {
             page.paragraph(
                 "There is no darkest azimuth: I/F does not depend on the azimuth by more than chance makes it, or " +
-                    "there are no errors that could tell (too few states, or a run that is not steady), or fewer than three azimuths in half a turn.",
+                    "there are no errors that could tell (too few states, or a run that is not steady), or fewer " +
+                    "than three azimuths in half a turn.",
             )
         }
         azimuths(page)

@@ -40,7 +40,10 @@ internal class Judgement(
     /** Whether none is seen to drift, but one has too few rows to tell. */
     val isUnjudged by lazy { !isDrifting && found.any { it.verdict == Verdict.TOO_SHORT } }
 
-    /** The standard error of [average] over states, NaN where the run or the number with the [key] drifts, which it is part of. */
+    /**
+     * The standard error of [average] over states, NaN where the run or the number with the [key] drifts, which it is
+     * part of.
+     */
     fun error(average: BlockAverage, key: String? = null): Double =
         if (isDrifting || isOfFewPhases || key in drifting) Double.NaN else average.error
 
