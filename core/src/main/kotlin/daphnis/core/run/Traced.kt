@@ -37,9 +37,8 @@ internal class TracedSphere(override val id: Int, override val orbits: OrbitalFr
     }
 
     override fun orbit(simulation: Simulation): Epicycle? {
-        val (x, y, z, vx, vy) = state(simulation) ?: return null
-        val vz = simulation.population.let { it.vz[it.indexOf(id)] }
-        return orbits?.let { Epicycle.of(x, y, z, vx, vy, vz, it) }
+        val s = state(simulation) ?: return null
+        return orbits?.let { Epicycle.of(s[0], s[1], s[2], s[3], s[4], s[5], it) }
     }
 
     override fun guidingX(simulation: Simulation): Double {

@@ -1,5 +1,6 @@
 package daphnis.core.source
 
+import daphnis.core.population.Population
 import kotlin.math.sqrt
 
 /** A mean with its standard error. */
@@ -13,3 +14,6 @@ fun blocks(numbers: List<Double>, count: Int = 20): Mean {
     val mean = means.average()
     return Mean(mean, sqrt(means.sumOf { (it - mean) * (it - mean) } / (count - 1) / count))
 }
+
+/** No spheres at all. */
+internal fun empty() = DoubleArray(0).let { Population(it, it, it, it, it, it, it, it) }

@@ -24,17 +24,6 @@ class InflowTest {
     private val point = Supply(EqualSizes(1e-9), 1e-9, mass = 1.0)
     private val rest = listOf(0.0, 0.0, 0.0)
 
-    private fun empty() = Population(
-        doubleArrayOf(),
-        doubleArrayOf(),
-        doubleArrayOf(),
-        doubleArrayOf(),
-        doubleArrayOf(),
-        doubleArrayOf(),
-        doubleArrayOf(),
-        doubleArrayOf(),
-    )
-
     private fun stream(
         source: Source,
         steps: Int,

@@ -17,17 +17,6 @@ import kotlin.math.sqrt
 
 /** Reservoirs on spheres that rest, so that nothing but their trials is seen. */
 class ReservoirTest {
-    private fun empty() = Population(
-        doubleArrayOf(),
-        doubleArrayOf(),
-        doubleArrayOf(),
-        doubleArrayOf(),
-        doubleArrayOf(),
-        doubleArrayOf(),
-        doubleArrayOf(),
-        doubleArrayOf(),
-    )
-
     private fun supply(radius: Double, mass: Double = 1.0) = Supply(EqualSizes(radius), radius, mass = mass)
 
     /** The number of spheres after each of [steps] steps. */
