@@ -179,12 +179,16 @@ internal class StateBytes(private val scale: PlotScale, private val most: Int = 
             "${scale.units.rate})"
     }
 
-    private fun short(number: Double): String = String.format(Locale.ROOT, "%.4g", number)
+    /** To four digits; a length of five is no power of ten yet. */
+    private fun short(number: Double): String =
+        String.format(Locale.ROOT, if (abs(number) in LEAST_WHOLE..MOST_WHOLE) "%.0f" else "%.4g", number)
 
     companion object {
         /** 50 MB; what a browser draws as points. */
         const val MOST = 2_000_000
         private const val AXES = 3
+        private const val LEAST_WHOLE = 9999.5
+        private const val MOST_WHOLE = 1e7
         private const val ROUNDING = 1e-12
         private const val ALIGNED = 4
         private const val BYTES_A_SPHERE = 6 * Float.SIZE_BYTES + 1

@@ -1,5 +1,5 @@
 // Where the eye is: on a sphere around a target; z points up. Lengths are those of the run times scale, so that what
-// there is to see is about 1 long. At an elevation of 90 degrees x is to the right and y up.
+// there is to see is about 1 long. At an azimuth of 0 x is to the right; at an elevation of 90 degrees y is up then.
 
 const FIELD = (30 * Math.PI) / 180; // of view, along the shorter side of the picture
 const RIGHT_ANGLE = Math.PI / 2;
@@ -9,6 +9,7 @@ export class Camera {
         this.extent = [1, 1, 1];
         this.scale = 1;
         this.isFlat = false;
+        this.facing = 0;
         this.aspect = 1;
         this.reset();
     }
@@ -18,11 +19,13 @@ export class Camera {
         this.scale = 1 / (Math.hypot(...halves) || 1);
         this.extent = halves.map((half) => half * this.scale);
         this.isFlat = isFlat;
+        // The azimuth from which the broad side of a box is seen: what is thin along x, as a drum, is seen along x.
+        this.facing = halves[0] < halves[1] / 2 ? RIGHT_ANGLE : 0;
         this.reset();
     }
 
     reset() {
-        this.azimuth = 0.35;
+        this.azimuth = this.facing + (this.facing > 0 ? -0.35 : 0.35);
         this.elevation = 0.6;
         this.target = [0, 0, 0];
         this.zoom = 1;
@@ -30,13 +33,13 @@ export class Camera {
     }
 
     fromAbove() {
-        this.azimuth = 0;
+        this.azimuth = this.facing;
         this.elevation = RIGHT_ANGLE;
     }
 
     fromSide() {
         if (this.isFlat) return;
-        this.azimuth = 0;
+        this.azimuth = this.facing;
         this.elevation = 0;
     }
 

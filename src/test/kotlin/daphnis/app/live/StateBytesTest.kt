@@ -151,6 +151,18 @@ class StateBytesTest {
     }
 
     @Test
+    fun `a long box is long in plain digits`() {
+        fun about(length: Double): String {
+            val long = HillSheet(Box.centred(10.0, length, 8.0), 1.0)
+            return DecodedState(StateBytes(scale).of(State(population(20), long, 0.0), 0)).text("about")
+        }
+        assertTrue("box 10.00 × 12600 × open" in about(12600.0)) { about(12600.0) }
+        assertTrue("box 10.00 × 10000 × open" in about(9999.7)) { about(9999.7) }
+        assertTrue("box 10.00 × 9999 × open" in about(9999.4)) { about(9999.4) }
+        assertTrue("box 10.00 × 1.260e+08 × open" in about(1.26e8)) { about(1.26e8) }
+    }
+
+    @Test
     fun `far from the origin of open space places keep their precision`() {
         val p = population(50, 1e9)
         val seen = DecodedState(StateBytes(scale).of(State(p, BoundaryConditions.open(), 0.0), 0))

@@ -28,6 +28,9 @@ internal class ColourMap private constructor(private val anchors: IntArray) {
         /** Where there is nothing: that of the report's pictures. */
         const val SPACE = 0x10141c
 
+        /** What is behind a wall, likewise. */
+        const val WALL = 0x4a5262
+
         /** Bodies, such as moonlets. */
         const val BODY = 0xf2efe6
 

@@ -1,6 +1,7 @@
 package daphnis.analysis.movie
 
 import daphnis.analysis.insitu.State
+import daphnis.analysis.plot.WallCut
 import java.awt.image.BufferedImage
 import java.awt.image.DataBufferInt
 import kotlin.math.pow
@@ -28,6 +29,7 @@ internal class FramePainter(private val scene: Scene, private val legend: Legend
         pixels.fill(ColourMap.SPACE)
         val box = PictureBox(state, view, options.view.up)
         grid?.let { weigh(state, box, it) }
+        walls(state)
         if (scene.isImage) ground(box, grid!!)
         val radius = state.population.radius
         discs.draw(state, box, { !state.isParticle(it) || !scene.isImage || scene.isDisc(radius[it]) }) { k, x, y ->
@@ -35,6 +37,18 @@ internal class FramePainter(private val scene: Scene, private val legend: Legend
         }
         legend.paint(image, clock, map)
         return image
+    }
+
+    private fun walls(state: State) {
+        val cut = WallCut(state, 1, options.view.up)
+        if (cut.isEmpty) return
+        for (row in 0 until view.height) {
+            val above = view.window.top - (row + 0.5) / view.scaleY
+            for (column in view.firstColumn until view.endColumn) {
+                val right = view.window.left + (column - view.firstColumn + 0.5) / view.scaleX
+                if (cut.isBehind(right, above)) pixels[row * view.width + column] = ColourMap.WALL
+            }
+        }
     }
 
     private fun colourOf(state: State, k: Int, x: Double, y: Double): Int {

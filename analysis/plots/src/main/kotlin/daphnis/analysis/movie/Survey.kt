@@ -79,7 +79,7 @@ internal class Survey(private val options: MovieOptions) {
         return Window(left, right, bottom, top)
     }
 
-    /** The box, or where its faces are open the spheres. Bodies are always in view. */
+    /** The box, or where its faces are open the spheres, of a room within walls both. Bodies are always in view. */
     private fun extent(state: State, axis: Int, of: List<Int>): Pair<Double, Double> {
         val p = state.population
         val box = state.boundary.box
@@ -92,6 +92,10 @@ internal class Survey(private val options: MovieOptions) {
             if (state.isParticle(k)) continue
             low = minOf(if (low.isNaN()) p.position(axis)[k] else low, p.position(axis)[k] - p.radius[k])
             high = maxOf(if (high.isNaN()) p.position(axis)[k] else high, p.position(axis)[k] + p.radius[k])
+        }
+        if (state.boundary.walls.surfaces.isNotEmpty()) {
+            low = if (low.isNaN()) box.lower(axis) else minOf(low, box.lower(axis))
+            high = if (high.isNaN()) box.upper(axis) else maxOf(high, box.upper(axis))
         }
         return if (low < high) low to high else -1.0 to 1.0
     }

@@ -30,7 +30,7 @@ internal class PatchPicture(private val state: State, private val lengthName: St
     class Disc(val x: Double, val y: Double, val r: Double, val depth: Double, val kind: Int)
 
     private val above = window(other, box.lower(other), box.upper(other))
-    private val side = heights().let { (low, high) -> window(2, low, high) }
+    private val side by lazy { heights().let { (low, high) -> window(2, low, high) } }
 
     /** What the bar in the picture from above is long. */
     val bar: String get() = barText(above)
@@ -53,11 +53,29 @@ internal class PatchPicture(private val state: State, private val lengthName: St
         return Window(box.lower(across), box.lower(across) + shown, bottom, top, up)
     }
 
+    private val isLayer: Boolean
+        get() = state.boundary.contactFaces(2) == ContactFaces.OPEN && state.boundary.walls.surfaces.isEmpty()
+
+    /** Heights of the spheres of a layer, ascending. */
+    private val outs: DoubleArray by lazy {
+        DoubleArray(p.size) { Math.abs(p.z[it]) + p.radius[it] }.also { it.sort() }
+    }
+
+    /** Where a few spheres of a layer are thrown so far out that it would be a line: without these. */
+    private fun layer(): Double {
+        val out = outs.lastOrNull() ?: return 1.0
+        return minOf(out, FAR * outs[(NEARLY_ALL * (outs.size - 1)).toInt()])
+    }
+
+    /** What the picture from the side leaves out above and below, in words; null where that is nothing. */
+    val leftOutSide: String? by lazy {
+        val beyond = if (isLayer) outs.count { it > side.top } else 0
+        if (beyond == 0) null else "$beyond of ${p.size} spheres are farther up or down"
+    }
+
     /** Of a layer with open faces those of its spheres, as far below z = 0 as above; else the box, and what sticks out. */
     private fun heights(): Pair<Double, Double> {
-        val out = (0 until p.size).maxOfOrNull { Math.abs(p.z[it]) + p.radius[it] } ?: 1.0
-        val isLayer = state.boundary.contactFaces(2) == ContactFaces.OPEN && state.boundary.walls.surfaces.isEmpty()
-        if (isLayer) return -out to out
+        if (isLayer) return layer().let { -it to it }
         if (state.boundary.repeats(2)) return box.lowerZ to box.upperZ
         val low = (0 until p.size).minOfOrNull { p.z[it] - p.radius[it] } ?: box.lowerZ
         val high = (0 until p.size).maxOfOrNull { p.z[it] + p.radius[it] } ?: box.upperZ
@@ -140,5 +158,9 @@ internal class PatchPicture(private val state: State, private val lengthName: St
         /** Length over width up to which all of a patch is shown. */
         const val WHOLE = 50.0
         const val MOST_CIRCLES = 6000
+
+        /** Times the height that nearly all spheres of a layer keep within, up to which the others are shown. */
+        const val FAR = 3.0
+        const val NEARLY_ALL = 0.99
     }
 }

@@ -59,6 +59,7 @@ internal class PlotField(
             above += spareY
             bottom -= spareY
         }
+        if (!isFixed) end -= overhang(left, end, width)
         val columns = if (isFixed) {
             xSpan.fitting(end - left) {
                 NUMBER * TextWidth.of(it) + PlotFrame.GAP
@@ -72,6 +73,15 @@ internal class PlotField(
         val lowest = bottom + NUMBER + PlotFrame.GAP + below.lines().size * LABEL * PlotFrame.LINE_HEIGHT
         frame.titles(sheet, below, beside, LABEL, lowest, left - room)
         return frame
+    }
+
+    /** By how much the field must be narrower for the last number below it to end on a sheet of this [width]. */
+    private fun overhang(left: Double, end: Double, width: Int): Double {
+        val last = xSpan.ticks.places.lastOrNull() ?: return 0.0
+        val part = xSpan.axis.fraction(last)
+        val half = NUMBER * TextWidth.of(xSpan.ticks.labels.last()) / 2
+        val over = left + part * (end - left) + half - (width - 1)
+        return if (over > 0) over / part else 0.0
     }
 
     /** What one axis shows. */

@@ -101,17 +101,11 @@ internal class StateSheet(
         sheet.tile(width - left, 0.0, left, drawn.toDouble(), STRIP)
     }
 
-    /** What lies behind the surfaces, in the middle of the box along the line of sight. */
     private fun walls(sheet: Sheet) {
-        val surfaces = state.boundary.walls.surfaces
-        if (surfaces.isEmpty()) return
-        val box = state.boundary.box
-        val at = DoubleArray(3) { (box.lower(it) + box.upper(it)) / 2 }
-        fun isBehind(column: Int, row: Int): Boolean {
-            at[across] = window.left + (column + 0.5) * STEP / scale
-            at[window.up] = window.top - (row + 0.5) * STEP / scale
-            return surfaces.any { it.distance(at[0], at[1], at[2], state.time) < 0 }
-        }
+        val cut = WallCut(state, across, window.up)
+        if (cut.isEmpty) return
+        fun isBehind(column: Int, row: Int) =
+            cut.isBehind(window.left + (column + 0.5) * STEP / scale, window.top - (row + 0.5) * STEP / scale)
         val columns = ceil(long * scale / STEP).toInt()
         for (row in 0 until ceil(drawn / STEP).toInt()) {
             var from = 0

@@ -18,8 +18,21 @@ internal class EllipsoidSection(private val study: Study) : Section {
     override val applies = study.input.hasVelocities
     override val leftOut get() =
         study.tooFew() ?: WallDrive.remark(study).ifEmpty {
-            if (e.dispersion > 0) null else "no particle moves against the mean flow"
+            when {
+                !(e.dispersion > 0) -> "no particle moves against the mean flow"
+                isAlikeInAll && !isTurned -> "nothing prefers a direction there, and $EQUAL"
+                else -> null
+            }
         }
+    private val isTurned by lazy { AxesInPlane.isSeen(study.motion, study.bulk.particles) }
+
+    /** Whether no direction differs from another by what moves the spheres: a box without walls, flow or forces. */
+    private val isAlikeInAll: Boolean
+        get() = study.input.scenario?.let { scenario ->
+            val boundary = study.last.boundary
+            scenario.frame == null && scenario.forces.isEmpty() && boundary.meanFlow == null &&
+                (0 until study.last.dimensions).all { boundary.repeats(it) }
+        } == true
 
     override fun write(page: ReportPage) {
         val isOfDiscs = study.last.boundary.space.isPlane
@@ -48,9 +61,7 @@ internal class EllipsoidSection(private val study: Study) : Section {
 
     /** Of the long axis in the plane, if there is one. */
     private fun direction(): String {
-        if (!AxesInPlane.isSeen(study.motion, study.bulk.particles)) {
-            return "in the plane its axes are no more unequal than chance makes them, so they have no direction"
-        }
+        if (!isTurned) return "in the plane $EQUAL, so they have no direction"
         val degrees = study.motion.orientation * Math.toDegrees(1.0)
         // The same number as in the table, where it stands, and judged as there.
         val rows = NumberRows()
@@ -77,5 +88,6 @@ internal class EllipsoidSection(private val study: Study) : Section {
     private companion object {
         const val POINTS = 120
         const val HEIGHT = 420
+        const val EQUAL = "its axes are no more unequal than chance makes them"
     }
 }

@@ -51,6 +51,11 @@ h1{font-size:1.5rem}
 .parameters th{white-space:normal;min-width:6rem}
 }
 @media(max-width:38rem){
+.numbers:not(.compared) tr{display:grid;grid-template-columns:minmax(0,1fr) 9.2rem;border-bottom:1px solid var(--faint)}
+.numbers:not(.compared) td,.numbers:not(.compared) th{border:0}
+.numbers:not(.compared) thead th:nth-child(3){display:none}
+.numbers:not(.compared) .u{grid-column:2;padding-top:0;color:var(--quiet);font-size:.9em}
+.numbers:not(.compared) .u:empty{display:none}
 .hint{display:block}
 }
 @media screen and (prefers-color-scheme:dark){

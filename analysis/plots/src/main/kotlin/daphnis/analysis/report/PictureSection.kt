@@ -34,7 +34,8 @@ internal class PictureSection(private val study: Study) : Section {
             picture.writeSide(study.plots, "patch-side"),
             "the ${study.place} from the side",
             "From the side; $right to the right, z up; nearer spheres are brighter. " +
-                "${rest(picture.barSide, picture.partSide)}$walls",
+                "${rest(picture.barSide, picture.partSide)}$walls" +
+                picture.leftOutSide?.let { " $it." }.orEmpty(),
         )
     }
 }

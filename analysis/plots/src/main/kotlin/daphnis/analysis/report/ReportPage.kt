@@ -65,7 +65,8 @@ internal class ReportPage(private val title: String) {
                 if (compared) listOf("reference", "difference", "source") else emptyList()
         val head = headings.joinToString("") { "<th scope=\"col\">$it</th>" }
         val lines = rows.joinToString("") { row -> "<tr>${cells(row)}${if (compared) comparison(row) else ""}</tr>\n" }
-        val table = "<table class=\"numbers\"><thead><tr>$head</tr></thead><tbody>\n$lines</tbody></table>"
+        val kind = if (compared) "numbers compared" else "numbers"
+        val table = "<table class=\"$kind\"><thead><tr>$head</tr></thead><tbody>\n$lines</tbody></table>"
         // With references there are more columns than a narrow screen has room for.
         if (compared) body.append(HINT)
         body.append(scrolling("numbers", table)).append('\n')

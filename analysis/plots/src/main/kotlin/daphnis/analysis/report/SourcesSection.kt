@@ -47,18 +47,18 @@ internal class SourcesSection(private val study: Study) : Section {
         val table = NumberRows()
         val number = DoubleArray(rows.size) { s[PARTICLES][rows[it]] }
         table.average("particles", "number of ${study.bodies} N", BlockAverage.of(number), "")
-        val squares = DoubleArray(rows.size) { number[it] * number[it] }
-        val spread = BlockAverage.of(arrayOf(number, squares)) { means -> (means[1] - means[0] * means[0]) / means[0] }
-        table.average(
-            "particle_fluctuations",
-            "⟨δN²⟩/⟨N⟩",
-            spread,
-            "",
-            "n kT κ_T of a gas in a box that is all in contact",
-        )
+        if (sources.any { it.takes && it.brings }) fluctuations(table, number)
         val time = DoubleArray(rows.size - 1) { s[TIME][rows[it + 1]] - s[TIME][rows[it]] }
         for ((k, source) in sources.withIndex()) add(table, k, source, time)
         return table.list()
+    }
+
+    /** Of what exchanges spheres with a reservoir; where they only come or go the number tells the trend. */
+    private fun fluctuations(table: NumberRows, number: DoubleArray) {
+        val squares = DoubleArray(number.size) { number[it] * number[it] }
+        val spread = BlockAverage.of(arrayOf(number, squares)) { means -> (means[1] - means[0] * means[0]) / means[0] }
+        val note = "n kT κ_T of a gas in a box that is all in contact"
+        table.average("particle_fluctuations", "⟨δN²⟩/⟨N⟩", spread, "", note)
     }
 
     private fun add(table: NumberRows, k: Int, source: SourceSpec, time: DoubleArray) {

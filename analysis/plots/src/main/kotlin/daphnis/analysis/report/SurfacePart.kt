@@ -11,7 +11,7 @@ import daphnis.analysis.table.UnitNames
 import kotlin.math.PI
 
 /**
- * The autocorrelation of the surface density, of lags up to half the patch; in Hill's frame also pitch angle and radial
+ * The autocorrelation of the surface density of what lies in a layer, of lags up to half the patch; in Hill's frame also pitch angle and radial
  * spacing of wakes, where there are any, beside Toomre's critical wavelength.
  */
 internal class SurfacePart(private val study: Study) : Part {
@@ -35,7 +35,11 @@ internal class SurfacePart(private val study: Study) : Part {
 
     private fun cells(axis: Int) = Math.rint(box.length(axis) / cell).toInt().coerceAtLeast(1)
 
+    /** A space that repeats along z has no surface to look down on; of a file nobody knows. */
+    private val isLayer = study.isRing || !study.last.boundary.repeats(2) || study.input.scenario == null
+
     override fun add(state: State) {
+        if (!isLayer) return
         autocorrelations += SurfaceMap.of(state, nx, ny).autocorrelation(lagX, lagY)
     }
 

@@ -9,10 +9,12 @@ import daphnis.core.boundary.Box
 import daphnis.core.boundary.LeesEdwards
 import daphnis.core.boundary.Open
 import daphnis.core.boundary.Periodic
+import daphnis.core.boundary.Walls
 import daphnis.core.boundary.at
 import daphnis.core.hill.HillSheet
 import daphnis.core.population.Population
 import daphnis.core.populationOf
+import daphnis.core.wall.CylinderWall
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
@@ -42,6 +44,22 @@ class FramePainterTest {
     /** Whether something stands at ([across], [up]). */
     private fun BufferedImage.shows(across: Double, up: Double): Boolean =
         getRGB(((across + 5) * 40).toInt(), ((5 - up) * 40).toInt()) and 0xffffff != ColourMap.SPACE
+
+    @Test
+    fun `what is behind a wall is grey, as it is in the middle of the box`() {
+        val along = listOf(1.0, 0.0, 0.0)
+        val drum = Walls(box, surfaces = listOf(CylinderWall(List(3) { 0.0 }, along, 4.0)))
+        val state = state(drum, Sphere(0.0, -3.0, 0.0, r = 0.5))
+        fun BufferedImage.isWall(across: Double, up: Double) =
+            getRGB(((across + 5) * 40).toInt(), ((5 - up) * 40).toInt()) and 0xffffff == ColourMap.WALL
+        val side = paint(state, MovieView.SIDE)
+        for ((y, z) in listOf(4.1 to 0.0, -4.1 to 0.0, 0.0 to 4.1, 3.0 to -3.0)) assertTrue(side.isWall(y, z)) { "$y $z" }
+        for ((y, z) in listOf(3.9 to 0.0, 0.0 to -3.9, 2.7 to 2.7, -3.0 to 0.0)) assertTrue(!side.isWall(y, z))
+        assertTrue(side.shows(-3.0, 0.0))
+        // The middle of the drum from above: it ends at y = ±4 for every x.
+        val top = paint(state, MovieView.TOP)
+        assertTrue(top.isWall(4.1, 4.5) && top.isWall(-4.1, -4.5) && !top.isWall(3.9, 4.5))
+    }
 
     @Test
     fun `a sphere is a disc at its place and to scale, from above and from the side`() {

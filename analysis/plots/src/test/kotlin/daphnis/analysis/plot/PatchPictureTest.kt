@@ -95,6 +95,24 @@ class PatchPictureTest {
     }
 
     @Test
+    fun `a few spheres that are far out do not make a line of the layer`() {
+        fun layer(highest: Double) = picture(
+            HillSheet(Box.centred(20.0, 20.0, 20.0), 1.0),
+            DoubleArray(500),
+            DoubleArray(500),
+            DoubleArray(500) { if (it == 7) highest else 0.5 * (it % 2) },
+            0.5,
+        )
+        assertEquals("1 of 500 spheres are farther up or down", layer(50.0).leftOutSide)
+        assertEquals("1 of 500 spheres are farther up or down", layer(-2.6).leftOutSide)
+        assertEquals(null, layer(2.4).leftOutSide)
+        fun height(highest: Double) = layer(highest).writeSide(home, "side").let { size("side").second }
+        // Three times as high as all others, from below to above, and the strip.
+        assertEquals(6.0 / 20.0 * 1400, height(50.0) - 56.0, 2.0)
+        assertEquals(4.0 / 20.0 * 1400, height(1.5) - 56.0, 2.0)
+    }
+
+    @Test
     fun `a tall picture is no higher than a wide one is wide, and has room for its bar`() {
         val tall =
             picture(

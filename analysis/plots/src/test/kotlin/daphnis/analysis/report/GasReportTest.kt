@@ -87,6 +87,9 @@ class GasReportTest {
         assertTrue(at[0] == 0.0 && f[0] in 1.0..1.8 && abs(f.last()) < 0.4) { "$f" }
         val page = Files.readString(path.resolve("report.html"))
         for (heading in listOf("Diffusion", "Relaxation", "Insertion")) assertTrue(">$heading</h2>" in page) { heading }
+        // What rings are shown is not of a gas in all of space.
+        val ofLayers = listOf("plots/autocorrelation.svg", "tables/autocorrelation.csv", "plots/velocity-ellipsoid.svg")
+        assertTrue(ofLayers.none { Files.exists(path.resolve(it)) })
         assertTrue("The dashed line is D by displacements" in page && "No velocity autocorrelation" !in page)
         for (plot in listOf(
             "velocity-autocorrelation",

@@ -85,6 +85,8 @@ class SourcesReportTest {
         assertEquals(2.375, value("source1_energy"), 0.15)
         assertTrue(value("source0_energy") > 0)
         assertTrue("number of particles" in page || "N</td>" in page)
+        // Of a number that has a trend, what is around its mean is not that of a gas.
+        assertFalse("particle_fluctuations" in rows)
     }
 
     @Test
