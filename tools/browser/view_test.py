@@ -248,6 +248,8 @@ class ViewTest(unittest.TestCase):
         self.assertEqual("play", self.text("play"))
 
     def test_colours_have_numbers_and_units(self):
+        # Of several materials who is who is seen at first.
+        self.assertEqual("material", self.browser.js("document.getElementById('colour').value"))
         pictures = []
         for value, label in (("speed", "speed [units of length/time]"), ("size", "radius [units of length]"),
                              ("height", "height z [units of length]"),

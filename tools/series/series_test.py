@@ -167,7 +167,8 @@ esac
 
 class Page(unittest.TestCase):
     ROWS = [row(), row(date="2026-11-02 11:00", commit="def", seconds=3.0),
-            row(case="<gas>", way="cold", engine="horizon"), row(machine="two", engine="horizon", threads=2.0, memory_mib=99.0)]
+            row(case="<gas>", way="cold", engine="horizon"),
+            row(machine="two", engine="horizon", threads=2.0, memory_mib=99.0)]
 
     def test_the_picture_has_each_case_and_its_marks(self):
         picture = xml.fromstring(page.picture(self.ROWS))

@@ -17,7 +17,9 @@ export function quantitiesOf(state) {
     const list = ["speed", "size"];
     if (state.head.dimensions === 3) list.push("height");
     list.push("density");
-    if (state.head.materials.length > 0) list.push("material");
+    // The first is what one sees at first: of several materials who is who.
+    if (state.head.materials.length > 1) list.unshift("material");
+    else if (state.head.materials.length > 0) list.push("material");
     return list;
 }
 
