@@ -14,7 +14,7 @@ import java.nio.file.Files;
 import java.util.Arrays;
 import java.util.Comparator;
 
-/** Six steps of a ring and its streamlines, then the same as a run in a directory; the last line is the state digest. */
+/** Six steps of a ring and its streamlines, then the same in a directory; the last line is the state digest. */
 class Ring {
     public static void main(String[] args) throws IOException {
         var setup = ScenarioSetup.of(BuiltIn.scenario("ring-patch"), "ring-patch");
