@@ -2,7 +2,8 @@
 module daphnis.plots {
     requires transitive daphnis.analysis;
     requires java.desktop;
-    requires jcodec;
+    // Its jar does not say the name of its module, so build tools may leave it on the class path: Mp4File.
+    requires static jcodec;
 
     exports daphnis.analysis.movie;
     exports daphnis.analysis.plot;

@@ -112,7 +112,9 @@ internal class Effective(private val settings: ClusterSettings) {
     companion object {
         /** What this library settles. Within a module only its own classes find the file. */
         val shipped: Config
-            get() = ConfigFactory.parseURL(checkNotNull(Effective::class.java.getResource("/daphnis/cluster/cluster.conf")))
+            get() = ConfigFactory.parseURL(
+                checkNotNull(Effective::class.java.getResource("/daphnis/cluster/cluster.conf")),
+            )
 
         private const val ROOT = "daphnis.cluster"
         private const val TRANSPORT = "pekko.remote.artery.transport"

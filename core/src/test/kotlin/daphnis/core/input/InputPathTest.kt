@@ -10,7 +10,8 @@ class InputPathTest {
     @Test
     fun `what Windows forbids in a name is named, and is not taken for a letter of another encoding`() {
         assertEquals("it holds a ?", reasonOf(InvalidPathException("a?b:", "Illegal char <?>", 1), "Cp1252"))
-        val letters = reasonOf(InvalidPathException("é", "Malformed input or input contains unmappable characters"), "X")
+        val letters =
+            reasonOf(InvalidPathException("é", "Malformed input or input contains unmappable characters"), "X")
         assertTrue("not in X" in letters) { letters }
     }
 

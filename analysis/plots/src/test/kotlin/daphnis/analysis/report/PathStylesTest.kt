@@ -28,7 +28,9 @@ class PathStylesTest {
         val report = root.resolve("my report")
         val scenario = BuiltIn.scenario("cooling-gas", listOf("particles.count=100", "output.snapshotEvery=4"))
         var last = 0L
-        Run.builder(scenario).directory(run).steps(12).output("watch", { last = it.step }).cancelled { last >= 6 }.start()
+        Run.builder(scenario).directory(run).steps(12).output("watch", {
+            last = it.step
+        }).cancelled { last >= 6 }.start()
             .use { it.execute() }
         val summary = Run.resuming(run).resume().use { it.execute() }
         Analysis(AnalysisInput.ofRun(run)).write(report)
@@ -51,14 +53,22 @@ class PathStylesTest {
                 assertTrue(here.files.keys.count(TEXT::containsMatchIn) > 8) { "${here.files.keys}" }
                 for ((name, text) in here.files) {
                     if (OF_THIS_RUN.containsMatchIn(name)) continue
-                    assertTrue(there.files.getValue(name) == text) { "$root: $name" }
+                    assertEquals("", difference(there.files.getValue(name), text)) { "$root: $name" }
                     assertTrue('\r' !in text || !TEXT.containsMatchIn(name)) { "$root: $name" }
                 }
             }
         }
     }
 
+    /** Where [a] and [b] first differ, and what is there; empty when they are the same. */
+    private fun difference(a: String, b: String): String {
+        if (a == b) return ""
+        val at = a.commonPrefixWith(b).length
+        return listOf(a, b).joinToString(" <> ") { it.substring(maxOf(0, at - AROUND), minOf(it.length, at + AROUND)) }
+    }
+
     private companion object {
+        const val AROUND = 60
         val STYLES = listOf(
             Configuration.unix() to "/my work",
             Configuration.osX() to "/Users/me/My Work",
