@@ -36,9 +36,12 @@ class PathStylesTest {
         Analysis(AnalysisInput.ofRun(run)).write(report)
         val files = Files.walk(root).use { all -> all.filter(Files::isRegularFile).toList() }
         val names = files.associateBy { root.relativize(it).joinToString("/") }
-        // The report names the run by its whole path, in commands.
-        val home = "$root${root.fileSystem.separator}"
-        val texts = names.mapValues { String(Files.readAllBytes(it.value), Charsets.ISO_8859_1).replace(home, "/") }
+        // The report names the run by its whole path, in commands, and says how long it took.
+        val separator = root.fileSystem.separator
+        val texts = names.mapValues { (_, file) ->
+            String(Files.readAllBytes(file), Charsets.ISO_8859_1)
+                .replace("$root$separator", "/").replace("my run$separator", "my run/").replace(TOOK, "")
+        }
         return Written(summary.stateDigest, texts.toSortedMap())
     }
 
@@ -77,6 +80,7 @@ class PathStylesTest {
 
         /** With times of the clock, or the number of the process. */
         val OF_THIS_RUN = Regex("""/\.lock$|/checkpoint|/summary\.json$""")
+        val TOOK = Regex("""(?<=threads?), [\d.]+ s(?=</td>)""")
         val TEXT = Regex("""\.(csv|json|html|svg)$""")
     }
 }
