@@ -15,7 +15,7 @@ import kotlin.io.path.readText
 class ModulesTest {
     /** A library in [folder], whose API is written down in [api]. */
     private class Library(val folder: String, val api: String) {
-        val info = read("$folder/src/main/java/module-info.java")
+        val info = read("$folder/src/main/module/module-info.java")
         val exported = Regex("""(?m)^ +exports ([\w.]+);""").findAll(info).map { it.groupValues[1] }.toList()
 
         /** Packages that have a public class. */
