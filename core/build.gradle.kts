@@ -11,6 +11,10 @@ kotlin { explicitApi() }
 dependencies {
     api(libs.serialization.json)
     implementation(libs.jhdf)
+    // What jhdf brings and, having no module descriptor, does not ask for: module-info.java does.
+    implementation(libs.slf4j.api)
+    implementation(libs.commons.lang)
+    implementation(libs.lzf)
     testRuntimeOnly(libs.slf4j.nop)
 }
 
@@ -20,7 +24,8 @@ tasks.compileJava {
     options.release = null as Int?
     sourceCompatibility = target
     targetCompatibility = target
-    options.compilerArgs.addAll(listOf("--add-modules", "jdk.incubator.vector"))
+    val unit = "jdk.incubator.vector"
+    options.compilerArgs.addAll(listOf("--add-modules", unit, "--add-reads", "daphnis.core=$unit"))
 }
 
 // Tests hold these against the code.

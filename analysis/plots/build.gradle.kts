@@ -13,5 +13,6 @@ kotlin {
 dependencies {
     api(project(":analysis"))
     implementation(libs.jcodec)
+    testImplementation(libs.jimfs)
     testRuntimeOnly(libs.slf4j.nop)
 }

@@ -52,7 +52,7 @@ has_pages() {
     grep -q 'advanced one step at a time' "$work/daphnis/core/Simulation.html" || die "$1 says nothing of Simulation"
 }
 
-# That the folder $1 holds what a release does; its jars say the names of their modules.
+# That the folder $1 holds what a release does; its libraries are modules, and the command line has the name of one.
 holds_a_release() {
     for pair in core:core actors:actors analysis:analysis plots:plots cli:app; do
         name=daphnis-${pair%:*}
@@ -62,7 +62,9 @@ holds_a_release() {
             grep -q "<$part[ >]" "$start.pom" || die "$start.pom has no <$part>"
         done
         ! grep -q '<parent>' "$start.pom" || die "$start.pom does not stand alone"
-        jar --describe-module --file "$start.jar" | grep -q "^daphnis\.${pair#*:}@$version automatic" ||
+        kind=jar:
+        [ "${pair#*:}" != app ] || kind=automatic
+        jar --describe-module --file "$start.jar" | grep -q "^daphnis\.${pair#*:}@$version $kind" ||
             die "$start.jar is no module daphnis.${pair#*:}"
         [ ! "$javadoc" ] || has_pages "$start-javadoc.jar" "${pair#*:}"
     done
@@ -92,9 +94,8 @@ for consumer in kotlin java; do
     maven package "-Dpublished=file:$work/maven" "-Ddaphnis=$version"
 done
 is_right "$work/kotlin/target/lib" "$(java -cp "$work/kotlin/target/consumer.jar:$work/kotlin/target/lib/*" RingKt)"
-# Modules without a descriptor require none, so the JVM would leave out kotlin.stdlib, which has one.
 path=$work/java/target/consumer.jar:$work/java/target/lib
-is_right "$work/java/target/lib" "$(java --add-modules ALL-MODULE-PATH -p "$path" -m consumer/consumer.Ring)"
+is_right "$work/java/target/lib" "$(java -p "$path" -m consumer/consumer.Ring)"
 
 if [ "$gradle" ]; then
     cd "$here"

@@ -10,8 +10,8 @@ import java.nio.file.Path
 import java.time.Duration
 
 /**
- * How a process takes part in a cluster. What is not here is in the file daphnis/cluster.conf of this library, which
- * [config] and system properties override; docs/cluster.md says what can be set.
+ * How a process takes part in a cluster. What is not here is in the file daphnis/cluster/cluster.conf of this
+ * library, which [config] and system properties override; docs/cluster.md says what can be set.
  *
  * @property host name or address by which the other processes reach this one; they must write it in the same way
  * @property port to listen on; 0 for any that is free

@@ -17,12 +17,12 @@ import java.time.Duration
  * [ClusterSettings] with all files: what Pekko is given. Checks that nothing is open to other machines by mistake.
  *
  * Where a key is set in several places, the first counts: the arguments, system properties, the user's file,
- * daphnis/cluster.conf, Pekko's own.
+ * daphnis/cluster/cluster.conf, Pekko's own.
  */
 internal class Effective(private val settings: ClusterSettings) {
     private val files: Config = ConfigFactory.systemProperties()
         .withFallback(settings.config?.let(::read) ?: ConfigFactory.empty())
-        .withFallback(ConfigFactory.parseResources(javaClass.classLoader, RESOURCE))
+        .withFallback(shipped)
         .withFallback(ConfigFactory.defaultReference(javaClass.classLoader))
     private val own = asInput { files.resolve() }
     private val pem = listOf("key", "certificate", "authority").associateWith { own.getString("$ROOT.tls.$it") }
@@ -110,7 +110,12 @@ internal class Effective(private val settings: ClusterSettings) {
     private val source: String get() = settings.config?.toString() ?: "system properties"
 
     companion object {
-        const val RESOURCE = "daphnis/cluster.conf"
+        /** What this library settles. Within a module only its own classes find the file. */
+        val shipped: Config
+            get() = ConfigFactory.parseURL(
+                checkNotNull(Effective::class.java.getResource("/daphnis/cluster/cluster.conf")),
+            )
+
         private const val ROOT = "daphnis.cluster"
         private const val TRANSPORT = "pekko.remote.artery.transport"
         private const val TLS = "tls-tcp"

@@ -58,7 +58,7 @@ public object HostConfig {
         }
     }
 
-    private val shipped: Config get() = ConfigFactory.parseResources(javaClass.classLoader, Effective.RESOURCE)
+    private val shipped: Config get() = Effective.shipped
 
     private const val ROOT = "daphnis.cluster"
     private const val ROLES = "pekko.cluster.roles"

@@ -10,6 +10,7 @@ import io.jhdf.links.ExternalLink
 import io.jhdf.links.SoftLink
 import io.jhdf.`object`.datatype.FixedPoint
 import io.jhdf.`object`.datatype.FloatingPoint
+import java.io.File
 import java.math.BigInteger
 import java.nio.file.Files
 import java.nio.file.Path
@@ -21,9 +22,16 @@ import java.nio.file.Path
  * its type of numbers, it is returned as doubles or longs.
  */
 internal class H5Source(private val path: Path) : AutoCloseable {
-    private val unpacked: ByteArray? = if (PackedFile.isPacked(path)) PackedFile.bytes(path, most()) else null
-    private val file: HdfFile = if (unpacked == null) HdfFile(path) else HdfFile.fromBytes(unpacked)
-    private val bytes: Double = (unpacked?.size?.toLong() ?: Files.size(path)).toDouble()
+    private val held: ByteArray? = when {
+        PackedFile.isPacked(path) -> PackedFile.bytes(path, most())
+        !canBeMapped(path) && Files.size(path) <= most() -> Files.readAllBytes(path)
+        else -> null
+    }
+    private val file: HdfFile = if (held == null) HdfFile(path) else HdfFile.fromBytes(held)
+    private val bytes: Double = (held?.size?.toLong() ?: Files.size(path)).toDouble()
+
+    /** The library maps files. Windows lets nobody delete or replace one until the collector has seen to it. */
+    private fun canBeMapped(path: Path) = isOnDisk(path) && File.separatorChar == '/'
 
     /** As much as may be held in memory beside what is read from it. */
     private fun most() = minOf(Runtime.getRuntime().maxMemory() / 2, Int.MAX_VALUE - 8L).toInt()

@@ -1,6 +1,6 @@
 package daphnis.core.format
 
-import java.io.RandomAccessFile
+import java.nio.file.Files
 import java.nio.file.Path
 
 /**
@@ -20,10 +20,10 @@ internal object TextEnd {
     }
 
     /** What stands behind the last line end, or its last part if it is long; null when the file ends with a line end. */
-    private fun lastLine(path: Path): String? = RandomAccessFile(path.toFile(), "r").use { file ->
-        val tail = ByteArray(minOf(file.length(), MOST_READ).toInt())
-        file.seek(file.length() - tail.size)
-        file.readFully(tail)
+    private fun lastLine(path: Path): String? = Files.newInputStream(path).use { file ->
+        val length = Files.size(path)
+        file.skipNBytes(length - minOf(length, MOST_READ))
+        val tail = file.readNBytes(MOST_READ.toInt())
         if (tail.isEmpty() || tail.last().isLineEnd()) return null
         // Line ends are single bytes in UTF-8; letters that are cut or misread here do not matter.
         String(tail, tail.indexOfLast { it.isLineEnd() } + 1, tail.size - tail.indexOfLast { it.isLineEnd() } - 1)

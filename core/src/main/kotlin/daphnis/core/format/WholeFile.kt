@@ -1,6 +1,7 @@
 package daphnis.core.format
 
 import java.io.IOException
+import java.nio.file.FileSystems
 import java.nio.file.Files
 import java.nio.file.Path
 import java.nio.file.StandardCopyOption.ATOMIC_MOVE
@@ -49,7 +50,7 @@ internal inline fun <T> wholeFile(path: Path, write: (Path) -> T): T {
     // A link of that name, symbolic or hard, would lead what is written elsewhere.
     Files.deleteIfExists(part)
     // An interrupted program leaves nothing behind.
-    part.toFile().deleteOnExit()
+    if (isOnDisk(part)) part.toFile().deleteOnExit()
     try {
         return write(part).also { Files.move(part, path, ATOMIC_MOVE, REPLACE_EXISTING) }
     } catch (e: RuntimeException) {
@@ -59,3 +60,6 @@ internal inline fun <T> wholeFile(path: Path, write: (Path) -> T): T {
         Files.deleteIfExists(part)
     }
 }
+
+/** Whether [path] is a file of the system, as `java.io.File` is, and not of a program's own file system. */
+internal fun isOnDisk(path: Path): Boolean = path.fileSystem === FileSystems.getDefault()

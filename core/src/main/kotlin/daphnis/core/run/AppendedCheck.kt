@@ -3,7 +3,7 @@ package daphnis.core.run
 import daphnis.core.format.reasonOf
 import daphnis.core.input.InputException
 import java.io.IOException
-import java.io.RandomAccessFile
+import java.nio.ByteBuffer
 import java.nio.file.Files
 import java.nio.file.Path
 
@@ -50,11 +50,12 @@ internal class AppendedCheck(private val directory: RunDirectory, private val me
     }
 
     /** The end of the last line that ends at [length] or before; 0 when there is none. */
-    private fun endOfLine(path: Path, length: Long): Long = RandomAccessFile(path.toFile(), "r").use { file ->
+    private fun endOfLine(path: Path, length: Long): Long = Files.newByteChannel(path).use { file ->
         var end = length
+        val byte = ByteBuffer.allocate(1)
         while (end > 0) {
-            file.seek(end - 1)
-            if (file.read() == '\n'.code) break
+            file.position(end - 1).read(byte.clear())
+            if (byte[0] == '\n'.code.toByte()) break
             end--
         }
         end

@@ -1,11 +1,14 @@
 package daphnis.core.run
 
 import java.io.IOException
-import java.io.RandomAccessFile
+import java.io.OutputStream
+import java.nio.channels.FileChannel
 import java.nio.file.Files
 import java.nio.file.Path
+import java.nio.file.StandardOpenOption.APPEND
+import java.nio.file.StandardOpenOption.CREATE
+import java.nio.file.StandardOpenOption.WRITE
 import java.util.zip.CRC32C
-import kotlin.io.path.name
 
 /**
  * A text table that only grows, by whole lines. Buffered lines are handed over to [writer] at every checkpoint, when
@@ -24,7 +27,8 @@ internal class AppendedFile(
     private val writer: Writer,
     private val clock: () -> Long = System::nanoTime,
 ) : AutoCloseable {
-    private val file = RandomAccessFile(unlinked(path).toFile(), "rw")
+    private val file: OutputStream
+    private var length = kept?.length ?: 0
     private val checksum = kept?.checksum ?: CRC32C()
     private val pending = StringBuilder()
     private var handedOverAt = clock()
@@ -34,9 +38,10 @@ internal class AppendedFile(
     private var written = 0L
 
     init {
-        file.setLength(kept?.length ?: 0)
-        file.seek(file.length())
-        if (file.length() == 0L) pending.append(header).append('\n')
+        FileChannel.open(unlinked(path), CREATE, WRITE).use { it.truncate(length) }
+        // Unlike a channel this stays open when the thread is interrupted.
+        file = Files.newOutputStream(path, WRITE, APPEND)
+        if (length == 0L) pending.append(header).append('\n')
     }
 
     fun line(): StringBuilder = pending
@@ -96,6 +101,7 @@ internal class AppendedFile(
 
     private fun append(bytes: ByteArray) {
         file.write(bytes)
+        length += bytes.size
         checksum.update(bytes)
     }
 
@@ -105,8 +111,8 @@ internal class AppendedFile(
      * @return the mark of the file as it is now
      */
     fun force(): FileMark {
-        files.force(path.name, file.fd)
-        return FileMark(file.filePointer, checksum.value)
+        files.force(path)
+        return FileMark(length, checksum.value)
     }
 
     /** To be called when the writer is done. What is buffered is written, unless a block before it could not be. */

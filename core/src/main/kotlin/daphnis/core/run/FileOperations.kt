@@ -1,6 +1,5 @@
 package daphnis.core.run
 
-import java.io.FileDescriptor
 import java.io.IOException
 import java.nio.channels.FileChannel
 import java.nio.file.Files
@@ -29,12 +28,6 @@ internal open class FileOperations {
     fun force(path: Path) {
         begin("force ${path.fileName}")
         FileChannel.open(path, StandardOpenOption.WRITE).use { it.force(true) }
-    }
-
-    /** Forces an open file to the disk. */
-    fun force(name: String, file: FileDescriptor) {
-        begin("force $name")
-        file.sync()
     }
 
     /** Renames, and replaces [to] when it exists: a reader sees the old file or the new one. */

@@ -8,6 +8,7 @@ import daphnis.core.population.PopulationSums
 import daphnis.core.scenario.IntervalUnit
 import daphnis.core.scenario.OutputSpec
 import daphnis.core.wave.ModeSums
+import java.nio.file.Files
 import kotlin.math.abs
 
 /** Makes the program's simulation first and then the directory, so a refusal leaves everything as it was. */
@@ -43,7 +44,7 @@ private fun recordOf(program: Program) = ProgramRecord(program.name, program.ver
 
 private fun requireSame(directory: RunDirectory, program: Program) {
     directory.requireRun()
-    if (directory.scenario.toFile().exists()) {
+    if (Files.exists(directory.scenario)) {
         throw InputException("${directory.path}", null, "holds a run of a scenario, not of ${recordOf(program)}")
     }
     requireSame(ProgramRecord.read(directory.program), program, directory)

@@ -44,7 +44,7 @@ public enum class MovieFormat(public val extension: String) {
             GIF -> GifFile(path, width, height, framesPerSecond)
             MP4 -> ffmpeg("libx264")?.let {
                 by(it, "-c:v", "libx264", "-crf", "18", "-movflags", "+faststart", "-f", "mp4")
-            } ?: Mp4File(path, width, height, framesPerSecond)
+            } ?: Mp4File.open(path, width, height, framesPerSecond)
             WEBM -> {
                 val program = ffmpeg("libvpx-vp9")
                     ?: throw IOException("WebM needs the program ffmpeg with libvpx-vp9 on the PATH")

@@ -96,14 +96,20 @@ internal class Mp4File(
         override fun accept(bits: Int): Int = 0
     }
 
-    private companion object {
+    companion object {
+        /** As the constructor, wherever the library is: its jar has no name of a module, and may be on the class path. */
+        fun open(path: Path, width: Int, height: Int, framesPerSecond: Double): Mp4File {
+            Mp4File::class.java.module.addReads(Class.forName("org.jcodec.codecs.h264.H264Encoder").module)
+            return Mp4File(path, width, height, framesPerSecond)
+        }
+
         /** A second; whole for the usual rates. */
-        const val TICKS = 90_000
-        const val LEAST_BUFFER = 1 shl 16
-        const val BT_709 = 1
-        const val UNSPECIFIED = 5
+        private const val TICKS = 90_000
+        private const val LEAST_BUFFER = 1 shl 16
+        private const val BT_709 = 1
+        private const val UNSPECIFIED = 5
 
         /** Levels, and the most blocks of 16 × 16 pixels of their frames (H.264, table A-1). */
-        val LEVELS = listOf(40 to 8192, 51 to 36_864, 60 to 139_264)
+        private val LEVELS = listOf(40 to 8192, 51 to 36_864, 60 to 139_264)
     }
 }

@@ -12,6 +12,7 @@ import java.nio.file.LinkOption.NOFOLLOW_LINKS
 import java.nio.file.Path
 import java.nio.file.StandardCopyOption.ATOMIC_MOVE
 import java.nio.file.StandardCopyOption.REPLACE_EXISTING
+import kotlin.io.path.name
 
 /**
  * Files that appear in [directory], which is made where there is none, all together, at [keep]: until then they are in a
@@ -43,6 +44,7 @@ internal class NewFiles(private val directory: Path) : AutoCloseable {
         for (path in found.filter { Files.isDirectory(it, NOFOLLOW_LINKS) }) {
             try {
                 RunLock.take(path).use { isDeleted(path) }
+                deleteEmpty(path)
             } catch (e: InputException) {
                 // Somebody writes there, or it is not ours to delete.
             }
@@ -73,7 +75,8 @@ internal class NewFiles(private val directory: Path) : AutoCloseable {
     fun keep() {
         val files = Files.walk(place).use { all -> all.filter(Files::isRegularFile).toList() }
             .filter { "${place.relativize(it)}" !in RunLock.FILES }
-        val names = files.map { "${place.relativize(it)}" }.sorted()
+        // With / on every system, as a directory may be read on another one than that which wrote it.
+        val names = files.map { place.relativize(it).joinToString("/") }.sorted()
         val old = listed() - names.toSet()
         // Both, in case this process is killed on the way.
         list(names + old)
@@ -132,14 +135,26 @@ internal class NewFiles(private val directory: Path) : AutoCloseable {
     private fun clear() {
         // Another thread may be writing.
         for (k in 1..TRIES) {
-            if (isDeleted(place)) break
+            if (isDeleted(place) || hasLockOnly(place)) break
             Thread.sleep(PAUSE_MILLISECONDS)
         }
         lock.close()
+        deleteEmpty(place)
+        deleteEmpty(directory)
+    }
+
+    /** Windows keeps a file that is deleted until it is closed. */
+    private fun hasLockOnly(path: Path): Boolean = try {
+        Files.list(path).use { all -> all.allMatch { it.name in RunLock.FILES } }
+    } catch (e: IOException) {
+        false
+    }
+
+    private fun deleteEmpty(path: Path) {
         try {
-            Files.delete(directory)
+            Files.deleteIfExists(path)
         } catch (e: IOException) {
-            // There is something in it, as there should be.
+            // There is something in it: in the directory as there should be.
         }
     }
 

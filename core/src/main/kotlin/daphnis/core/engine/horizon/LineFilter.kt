@@ -23,9 +23,12 @@ internal interface LineFilter {
 
         /** The filter with the vector unit; null where the JVM was started without the module for it. */
         fun vector(): LineFilter? = try {
-            if (ModuleLayer.boot().findModule(VECTOR_MODULE).isEmpty || !isCompiled()) {
+            val unit = ModuleLayer.boot().findModule(VECTOR_MODULE).orElse(null)
+            if (unit == null || !isCompiled()) {
                 null
             } else {
+                // Not in module-info: compilers of programs would warn of an incubating module.
+                LineFilter::class.java.module.addReads(unit)
                 Class.forName(VECTOR_FILTER).getDeclaredConstructor().newInstance() as LineFilter
             }
         } catch (_: ReflectiveOperationException) {
