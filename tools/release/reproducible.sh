@@ -37,7 +37,7 @@ build() {
             "-PpublishTo=$folder/target/release/repository"
         return
     fi
-    env "$@" tools/release/build ${dokka:+"$dokka"} >/dev/null
+    env "$@" tools/release/archives ${dokka:+"$dokka"} >/dev/null
     # As the script of the package does, whose tools are here already.
     env "$@" "$python" -m build --no-isolation --outdir target/release/python python >/dev/null
 }

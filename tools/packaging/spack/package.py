@@ -30,4 +30,5 @@ class Daphnis(Package):
     @run_after("install")
     @on_package_attributes(run_tests=True)
     def check_install(self):
-        Executable(self.prefix.bin.daphnis)("run", "ring-patch", "--steps", "6", "--quiet", "--out", "ring")
+        daphnis = Executable(self.prefix.bin.daphnis)
+        daphnis("run", "ring-patch", "--steps", "6", "--quiet", "--out", "ring")
