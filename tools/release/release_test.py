@@ -208,6 +208,34 @@ class BundleTest(Temporary):
         self.assertEqual((1, "release: SIGNING_KEY is not set\n"), (done.returncode, done.stderr))
 
 
+class ImageTest(Temporary):
+    """With a `docker` that writes down what it is told."""
+
+    def image(self, digest: str, *words: str) -> tuple[int, list[str]]:
+        docker = self.folder / "docker"
+        said = self.folder / "said"
+        docker.write_text(f'#!/bin/sh\necho "$@" >>"{said}"\n[ "$1" != run ] || echo "digest {digest}"\n', "utf-8")
+        docker.chmod(0o755)
+        environment = {**os.environ, "PATH": f"{self.folder}:{os.environ['PATH']}", "IMAGE": "here/daphnis"}
+        done = subprocess.run([HERE / "image", *words], env=environment, capture_output=True)
+        return done.returncode, said.read_text("utf-8").splitlines()
+
+    def test_an_image_is_pushed_when_it_runs_as_it_should(self) -> None:
+        digests = (ROOT / "src/test/resources/golden/digests.csv").read_text("utf-8").splitlines()
+        pinned = next(line.split(",")[2] for line in digests if line.startswith("ring-patch,6,"))
+        code, said = self.image(pinned)
+        self.assertEqual((0, ["build", "run"]), (code, [line.split()[0] for line in said]))
+        self.assertIn(f"--label org.opencontainers.image.version={VERSION} ", said[0])
+        (self.folder / "said").unlink()
+        code, said = self.image(pinned, "--push")
+        self.assertEqual(0, code)
+        self.assertEqual([f"tag here/daphnis:{VERSION} here/daphnis:latest", f"push here/daphnis:{VERSION}",
+                          "push here/daphnis:latest"], said[2:])
+        (self.folder / "said").unlink()
+        code, said = self.image("0123", "--push")
+        self.assertEqual((1, 2), (code, len(said)))
+
+
 class SbomTest(unittest.TestCase):
     TABLE = "| library | version | licence |\n| a.b:c-d | 1.0 | MIT or Apache-2.0 |\n| e:f | 2 | MIT |\n"
     SBOM = {"components": [
@@ -232,7 +260,8 @@ class SbomTest(unittest.TestCase):
         self.assertEqual(["a.b:c-d: ['Apache-2.0'] in the list of parts, ['MIT'] in the table"],
                          self.problems(self.TABLE.replace(" or Apache-2.0", "")))
         self.assertEqual(["lib/f-2.jar is in one of zip and list of parts"], self.problems(jars=self.JARS[::2]))
-        self.assertEqual(["lib/g-1.jar is in one of zip and list of parts"], self.problems(jars=[*self.JARS, "g-1.jar"]))
+        more = self.problems(jars=[*self.JARS, "g-1.jar"])
+        self.assertEqual(["lib/g-1.jar is in one of zip and list of parts"], more)
 
 
 class RecipesTest(Temporary):

@@ -2,7 +2,7 @@
 # Builds all that is released twice, from copies of this checkout in folders of other names and with another umask, time
 # zone, language and time of files, and compares the SHA-256 of each: jars with sources and of Dokka, POMs, zip, list of
 # parts, wheel and sources of the package for Python.
-#   tools/release/reproducible.sh
+#   tools/release/reproducible.sh    on Linux
 #   --gradle     Gradle's build instead: jars and zip
 #   --no-dokka   without Dokka's pages, which take some minutes
 # What differs is said, and both copies stay in target/reproducible.
