@@ -70,7 +70,8 @@ class SourceRulesTest {
         assertEquals(emptyList<String>(), wrong)
         val right = """@Deprecated("Since 0.3: has no unit.", ReplaceWith("speed(t)"))"""
         assertEquals(emptyList<String>(), badlyDeprecated("$right\nfun a() {}"))
-        for ((part, other) in listOf("Since 0.3: " to "", "0.3" to "soon", "ReplaceWith" to "level", "speed(t)" to "")) {
+        val slips = mapOf("Since 0.3: " to "", "0.3" to "soon", "ReplaceWith" to "level", "speed(t)" to "")
+        for ((part, other) in slips) {
             val slip = "/** Old. */\n    ${right.replace(part, other)}"
             assertEquals(1, badlyDeprecated(slip).size) { slip }
         }
