@@ -3,20 +3,16 @@
 # zone, language and time of files, and compares the SHA-256 of each: jars with sources and of Dokka, POMs, zip, list of
 # parts, wheel and sources of the package for Python.
 #   tools/release/reproducible.sh    on Linux
-#   --gradle     Gradle's build instead: jars and zip
 #   --no-dokka   without Dokka's pages, which take some minutes
 # What differs is said, and both copies stay in target/reproducible.
 set -eu
 here=$(CDPATH='' cd -- "$(dirname -- "$0")/../.." && pwd -P)
-gradle=
 dokka=
-for arg; do
-    case $arg in
-    --gradle) gradle=yes ;;
-    --no-dokka) dokka=--no-dokka ;;
-    *) echo "usage: tools/release/reproducible.sh [--gradle] [--no-dokka]" >&2 && exit 2 ;;
-    esac
-done
+case ${1:-} in
+'') ;;
+--no-dokka) dokka=--no-dokka ;;
+*) echo "usage: tools/release/reproducible.sh [--no-dokka]" >&2 && exit 2 ;;
+esac
 work=$here/target/reproducible
 rm -rf "$work"
 mkdir -p "$work"
@@ -31,12 +27,6 @@ build() {
     cd "$folder"
     find . -exec touch -d "$2" {} +
     shift 2
-    if [ "$gradle" ]; then
-        [ "$dokka" ] || set -- "$@" ORG_GRADLE_PROJECT_release=yes
-        env "$@" gradle --console=plain -q --no-daemon --no-build-cache publish distZip \
-            "-PpublishTo=$folder/target/release/repository"
-        return
-    fi
     env "$@" tools/release/archives ${dokka:+"$dokka"} >/dev/null
     # As the script of the package does, whose tools are here already.
     env "$@" "$python" -m build --no-isolation --outdir target/release/python python >/dev/null
@@ -46,14 +36,12 @@ sums() {
     cd "$1"
     {
         find "target/release/repository/$group" -type f \( -name '*.jar' -o -name '*.pom' \)
-        find target/daphnis-*.zip target/*.cdx.json target/release/python build/distributions -type f 2>/dev/null || :
+        find target/daphnis-*.zip target/*.cdx.json target/release/python -type f
     } | sort | xargs sha256sum
 }
 
-if [ ! "$gradle" ]; then
-    "$here/tools/release/python-package" --tools
-    python=$here/target/release-python/bin/python
-fi
+"$here/tools/release/python-package" --tools
+python=$here/target/release-python/bin/python
 (umask 022 && build "$work/one" 2020-01-01 TZ=UTC LC_ALL=C)
 (umask 077 && build "$work/of/another/name" 2024-07-07 TZ=Asia/Kolkata LC_ALL=C.UTF-8 \
     "JAVA_TOOL_OPTIONS=-Duser.language=de -Duser.country=DE")
