@@ -47,7 +47,8 @@ POM = f"""<?xml version="1.0"?>
 <name>daphnis-core</name><description>Spheres.</description><url>https://example.org</url>
 <licenses><license><name>Apache-2.0</name></license></licenses>
 <developers><developer><name>The developers of daphnis</name></developer></developers>
-<scm><url>https://example.org</url><connection>scm:git:a</connection><developerConnection>scm:git:b</developerConnection></scm>
+<scm><url>https://example.org</url><connection>scm:git:a</connection>
+<developerConnection>scm:git:b</developerConnection></scm>
 </project>"""
 
 
