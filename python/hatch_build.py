@@ -13,7 +13,10 @@ from hatchling.metadata.plugin.interface import MetadataHookInterface
 
 HERE = Path(__file__).resolve().parent
 CHECKOUT = HERE.parent
-VERSION = CHECKOUT / "core/src/main/resources/daphnis/version.txt"
+BUILT = HERE / "built"
+"""What archives of the sources bring along of the checkout, which is not there any more."""
+
+VERSION = BUILT / "version.txt" if BUILT.is_dir() else CHECKOUT / "core/src/main/resources/daphnis/version.txt"
 
 ONLY_OF_PEKKO = ("agrona-", "asn-one-", "config-", "pekko-", "reactive-streams-", "scala-library-", "ssl-config-core")
 """What only the engine `pekko` and runs on several machines need: more than half of all jars."""
@@ -29,23 +32,31 @@ class Version(MetadataHookInterface):
 
 
 class Jars(BuildHookInterface):
-    """An editable installation looks the jars up in the checkout, so it gets none."""
+    """Into a wheel and into an archive of the sources. An editable installation looks them up in the checkout."""
 
     PLUGIN_NAME = "custom"
 
     def initialize(self, version: str, build_data: dict[str, Any]) -> None:
         if version == "editable":
             return
-        jars = [jar for jar in built_jars() if not jar.name.startswith(ONLY_OF_PEKKO)]
-        if not jars:
-            raise SystemExit(f"no jars in {CHECKOUT}: build them first, with ./daphnis --version or python/build-wheel")
-        forced = build_data["force_include"]
-        for jar in jars:
-            forced[str(jar)] = f"daphnis_sim/jars/{jar.name}"
-        forced[str(VERSION)] = "daphnis_sim/version.txt"
-        forced[str(CHECKOUT / "docs" / "notebooks" / "daphnis.json")] = "daphnis_sim/kotlin.json"
-        forced[str(CHECKOUT / "LICENSE")] = "daphnis_sim/LICENSE"
-        forced[str(CHECKOUT / "docs" / "third-party.md")] = "daphnis_sim/third-party.md"
+        place = BUILT.name if self.target_name == "sdist" else "daphnis_sim"
+        for name, file in files().items():
+            build_data["force_include"][str(file)] = f"{place}/{name}"
+
+
+def files() -> dict[str, Path]:
+    """What the package has besides its modules, by name."""
+    if BUILT.is_dir():
+        return {path.relative_to(BUILT).as_posix(): path for path in sorted(BUILT.rglob("*")) if path.is_file()}
+    jars = [jar for jar in built_jars() if not jar.name.startswith(ONLY_OF_PEKKO)]
+    if not jars:
+        raise SystemExit(f"no jars in {CHECKOUT}: build them first, with ./daphnis --version or python/build-wheel")
+    return {f"jars/{jar.name}": jar for jar in jars} | {
+        "version.txt": VERSION,
+        "kotlin.json": CHECKOUT / "docs/notebooks/daphnis.json",
+        "LICENSE": CHECKOUT / "LICENSE",
+        "third-party.md": CHECKOUT / "docs/third-party.md",
+    }
 
 
 def built_jars() -> list[Path]:

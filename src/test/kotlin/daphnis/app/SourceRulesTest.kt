@@ -10,6 +10,7 @@ import java.nio.file.Path
 import kotlin.io.path.extension
 import kotlin.io.path.name
 import kotlin.io.path.readLines
+import kotlin.io.path.readText
 
 /** Rules for the sources of the program. Exceptions are named here until they are fixed; none may be left over. */
 @Tag("jdk-neutral")
@@ -56,6 +57,31 @@ class SourceRulesTest {
         }
         assertEquals(emptyList<String>(), asking)
         assertTrue(asks.containsMatchIn("is ForceSpec.Drag ->") && asks.containsMatchIn("as? WallSpec"))
+    }
+
+    /** See "What goes away" in docs/releasing.md. */
+    @Test
+    fun `what is deprecated says since when, and what to call instead`() {
+        val folders = modules.flatMap { m -> listOf("$m/src/main/kotlin", "$m/src/main/java") } + "src/main/kotlin"
+        val files = folders.filter { Files.exists(Repository.root.resolve(it)) }.flatMap { folder ->
+            Files.walk(Repository.root.resolve(folder)).use { it.filter { f -> f.extension in KINDS }.toList() }
+        }
+        val wrong = files.flatMap { file -> badlyDeprecated(file.readText()).map { "${file.name}: $it" } }
+        assertEquals(emptyList<String>(), wrong)
+        val right = """@Deprecated("Since 0.3: has no unit.", ReplaceWith("speed(t)"))"""
+        assertEquals(emptyList<String>(), badlyDeprecated("$right\nfun a() {}"))
+        val slips = mapOf("Since 0.3: " to "", "0.3" to "soon", "ReplaceWith" to "level", "speed(t)" to "")
+        for ((part, other) in slips) {
+            val slip = "/** Old. */\n    ${right.replace(part, other)}"
+            assertEquals(1, badlyDeprecated(slip).size) { slip }
+        }
+        assertEquals(1, badlyDeprecated("@java.lang.Deprecated void a() {}").size)
+    }
+
+    private fun badlyDeprecated(text: String): List<String> {
+        val right = Regex("""@Deprecated\(\s*"Since \d+\.\d+: [^"]+"(?:\s*\+\s*"[^"]*")*,\s*ReplaceWith\("[^"]+"""")
+        return Regex("""@(?:java\.lang\.)?Deprecated\b""").findAll(text).map { it.range.first }
+            .filter { right.matchAt(text, it) == null }.map { text.substring(it).lines().first() }.toList()
     }
 
     @Test
@@ -134,6 +160,8 @@ class SourceRulesTest {
     }
 
     private companion object {
+        val KINDS = setOf("kt", "java")
+
         /** A report says how to make the run again, or one with more states, and from when on to average. */
         val FLAGS = setOf("RunSection.kt", "SteadinessText.kt")
     }
