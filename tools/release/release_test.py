@@ -157,6 +157,9 @@ class BundleTest(Temporary):
         jar = f"{FOLDER}/daphnis-core-{VERSION}.jar"
         self.assertEqual([f"{jar}.md5 is wrong", f"{jar}.sha1 is wrong"], self.problems({**contents, jar: b"other"}))
         self.assertEqual([f"{jar}.asc is no signature"], self.problems({**contents, f"{jar}.asc": b"other"}))
+        moved = {name.replace(f"/{VERSION}/", "/1/"): content for name, content in contents.items()}
+        self.assertEqual(4, len([line for line in self.problems(moved) if "does not lie as in" in line]))
+        self.assertEqual(["there is no POM"], self.problems({}))
 
     def test_a_pom_that_lacks_something(self) -> None:
         parts = ("name", "description", "url", "licenses", "developers", "scm", "connection", "developerConnection")
