@@ -30,7 +30,9 @@ class GeneratedPage(private val path: String, private val title: String, private
 
     /** All of the page: its head, links to all sections of [text], and these. */
     private fun page(text: String): String {
-        val sections = Regex("(?m)^## (.+)$").findAll(text).map { "[${it.groupValues[1]}](#${anchor(it.groupValues[1])})" }
+        val sections = Regex("(?m)^## (.+)$").findAll(text).map {
+            "[${it.groupValues[1]}](#${anchor(it.groupValues[1])})"
+        }
         val links = if (sections.none()) "" else "On this page:\n${sections.joinToString(" ·\n")}\n\n"
         return "# $title\n\n<!-- Made by a test from $source; not to be edited. -->\n\n$links${text.trim()}\n"
     }

@@ -60,7 +60,9 @@ internal class Page(val path: Path) {
 
         /** All pages, those of decisions and of changes too, which tell of what was. */
         val all: List<Page> =
-            listOf("", "python", "docs", "docs/examples", "docs/reference", "docs/adr", "docs/releases").flatMap { pages(it) }
+            listOf("", "python", "docs", "docs/examples", "docs/reference", "docs/adr", "docs/releases").flatMap {
+                pages(it)
+            }
 
         /** Those which say what is. */
         val current: List<Page> = all.filter { !it.name.startsWith("docs/adr/") && it.name != "CHANGELOG.md" }
