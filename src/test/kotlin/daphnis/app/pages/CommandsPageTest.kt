@@ -29,7 +29,7 @@ class CommandsPageTest {
                 line.isBlank() || line.startsWith("Usage: ") -> Unit
                 indent == 0 && line.endsWith(":") -> sections += Section(line.dropLast(1))
                 indent == 0 -> Unit
-                indent == 2 && section.heading.isNotEmpty() && ITEM.matches(line) -> {
+                indent == 2 && (section.heading == COMMANDS || line[2] in "-<") -> {
                     val (names, text) = ITEM.matchEntire(line)!!.destructured
                     section.items += Item(names, text)
                 }
@@ -42,7 +42,7 @@ class CommandsPageTest {
 
     private fun row(item: Item): String {
         val name = item.names.substringBefore("=").substringBefore("[").ifEmpty { item.names }
-        val value = item.names.removePrefix(name).filter { it !in "[]<>=" || name.isEmpty() }
+        val value = item.names.removePrefix(name).filter { it !in "[]<>" }.removePrefix("=")
         val text = item.text.trim().replace(Regex("<(\\S+)>"), "$1").replace("*", "\\*").replace("[", "\\[")
         return GeneratedPage.row("`${name.trim('<', '>')}`", value, text)
     }
@@ -62,7 +62,7 @@ class CommandsPageTest {
 
     @Test
     fun `the page is what the commands say`() {
-        val commands = help("").second.single { it.heading == "Commands" }.items
+        val commands = help("").second.single { it.heading == COMMANDS }.items
         assertTrue(commands.size > 12)
         val text = "What `daphnis help` prints of each command. `--debug`, anywhere, shows the stack trace of what\n" +
             "goes wrong, and `--version` the version. The [guide](../guide.md) has examples.\n\n" + page(commands)
@@ -71,6 +71,7 @@ class CommandsPageTest {
     }
 
     private companion object {
+        const val COMMANDS = "Commands"
         val ITEM = Regex("""  (\S.*?)(?:\s{2,}(\S.*))?""")
     }
 }
