@@ -217,7 +217,7 @@ public sealed interface BoundarySpec {
     @SerialName("lees-edwards")
     @Described("images slide; contacts are found through all faces")
     public class LeesEdwards(
-        @Described("of the mean flow, 1/time: images along y slide past one another")
+        @Described("of the mean flow that sliding images keep up, 1/time")
         override val shearRate: Double,
     ) : BoundarySpec {
         override val drives: Boolean get() = shearRate != 0.0
