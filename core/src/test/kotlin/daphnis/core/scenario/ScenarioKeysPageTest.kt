@@ -72,7 +72,7 @@ class ScenarioKeysPageTest {
         }
         if ("enum" in plain) return "text"
         return when (plain.text("type")) {
-            "array" -> "list of " + value(plain.getValue("items").jsonObject).replace("number", "numbers")
+            "array" -> "list of " + value(plain.getValue("items").jsonObject).replace(ONE, "$1s")
             "integer" -> "whole number"
             "boolean" -> "true or false"
             "string" -> "text"
@@ -102,9 +102,10 @@ class ScenarioKeysPageTest {
     fun `the page is what the declarations say`() {
         place(schema, "")
         val text =
-            "[Scenarios](../scenario.md) explains how they go together, and has examples. Lengths, times and masses " +
-                "are\nin the scenario's units. A path such as `boundary.faces` is also what `--set` takes; `[]` is a list.\n\n" +
-                "## The scenario\n\n" + section(schema) +
+            "[Scenarios](../scenario.md) explains how they go together, and has examples. Lengths, times and\n" +
+            "masses are in the scenario's units. A path such as `boundary.faces` is also what `--set` takes;\n" +
+            "`[]` is a list.\n\n" +
+            "## The scenario\n\n" + section(schema) +
                 places.entries.joinToString("") { (name, path) ->
                     "\n## $path\n\n" + section(definitions.getValue(name).jsonObject)
                 }
@@ -179,6 +180,7 @@ class ScenarioKeysPageTest {
 
     private companion object {
         const val DEFAULT = "; default "
+        val ONE = Regex("^(number|list)(?!s)\\b")
 
         val DECLARED: Map<String, KSerializer<out Any>> = mapOf(
             "Scenario" to Scenario.serializer(),
