@@ -42,7 +42,7 @@ class CommandsPageTest {
 
     private fun row(item: Item): String {
         val name = item.names.substringBefore("=").substringBefore("[").ifEmpty { item.names }
-        val value = item.names.removePrefix(name).filter { it !in "[]<>" }.removePrefix("=")
+        val value = item.names.removePrefix(name).filter { it !in "[]<>()" }.removePrefix("=")
         val text = item.text.trim().replace(Regex("<(\\S+)>"), "$1").replace("*", "\\*").replace("[", "\\[")
         return GeneratedPage.row("`${name.trim('<', '>')}`", value, text)
     }
