@@ -103,9 +103,9 @@ class ScenarioKeysPageTest {
         place(schema, "")
         val text =
             "[Scenarios](../scenario.md) explains how they go together, and has examples. Lengths, times and\n" +
-            "masses are in the scenario's units. A path such as `boundary.faces` is also what `--set` takes;\n" +
-            "`[]` is a list.\n\n" +
-            "## The scenario\n\n" + section(schema) +
+                "masses are in the scenario's units. A path such as `boundary.faces` is also what `--set` takes;\n" +
+                "`[]` is a list.\n\n" +
+                "## The scenario\n\n" + section(schema) +
                 places.entries.joinToString("") { (name, path) ->
                     "\n## $path\n\n" + section(definitions.getValue(name).jsonObject)
                 }
