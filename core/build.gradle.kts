@@ -30,6 +30,6 @@ tasks.compileJava {
 
 // Tests hold these against the code.
 tasks.test {
-    inputs.files(rootProject.file("docs/library.md"), rootProject.file("docs/guide.md"))
-        .withPathSensitivity(PathSensitivity.NONE)
+    val pages = listOf("library", "columns", "runs", "scenario", "reference/scenario-keys")
+    inputs.files(pages.map { rootProject.file("docs/$it.md") }).withPathSensitivity(PathSensitivity.NONE)
 }

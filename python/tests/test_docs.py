@@ -38,7 +38,13 @@ def run_blocks(page: Path) -> int:
 EXAMPLES = [
     path for path in sorted((CHECKOUT / "docs" / "examples").glob("*.md")) if "```python" in path.read_text("utf-8")
 ]
-PAGES = ("README.md", "python/README.md", "docs/python.md", *(f"docs/examples/{path.name}" for path in EXAMPLES))
+PAGES = (
+    "README.md",
+    "python/README.md",
+    "docs/guide.md",
+    "docs/python.md",
+    *(f"docs/examples/{path.name}" for path in EXAMPLES),
+)
 
 
 @pytest.mark.parametrize("page", at_leisure(PAGES, {"python/README.md"}))

@@ -78,7 +78,7 @@ class Run:
 
     @property
     def summary(self) -> dict[str, Any]:
-        """The entries of ``summary.json``, see docs/guide.md. Raises InputError while the run has none.
+        """The entries of ``summary.json``, see docs/runs.md. Raises InputError while the run has none.
 
         ``run.summary["stateDigest"]`` is the same for equal bits of all states.
         """
@@ -101,7 +101,7 @@ class Run:
 
     @property
     def series(self) -> pd.DataFrame:
-        """``series.csv``: a row every ``output.seriesEvery`` steps; units in ``attrs["units"]``, see docs/guide.md."""
+        """``series.csv``: a row every ``output.seriesEvery`` steps; units in ``attrs["units"]``, see docs/columns.md."""
         return self._table("series.csv", "output.seriesEvery")
 
     @property
@@ -121,7 +121,7 @@ class Run:
 
     @property
     def bodies(self) -> pd.DataFrame:
-        """``bodies.csv``: for each body and time its orbit and what pushed it, see docs/guide.md."""
+        """``bodies.csv``: for each body and time its orbit and what pushed it, see docs/columns.md."""
         return self._table("bodies.csv", "output.bodiesEvery")
 
     @property

@@ -1,5 +1,6 @@
 package daphnis.core.collision
 
+import daphnis.core.input.Described
 import daphnis.core.input.Quantities
 import daphnis.core.input.ValueCheck
 import kotlinx.serialization.SerialName
@@ -28,6 +29,7 @@ public sealed interface GuardSpec {
 
     @Serializable
     @SerialName("none")
+    @Described("no guard")
     public class None : GuardSpec {
         override fun floor(rms: Double): Double = 0.0
 
@@ -41,8 +43,11 @@ public sealed interface GuardSpec {
      */
     @Serializable
     @SerialName("floor-speed")
+    @Described("impacts slower than this are elastic; exactly one of its keys")
     public class FloorSpeed @JvmOverloads constructor(
+        @Described("a speed")
         public val speed: Double? = null,
+        @Described("in initial rms speeds")
         public val relative: Double? = null,
     ) : GuardSpec {
         override val isOpen: Boolean get() = relative != null
@@ -68,7 +73,11 @@ public sealed interface GuardSpec {
     /** The TC rule: ε = 1 within [duration], in units of time, of a sphere's last collision. */
     @Serializable
     @SerialName("contact-duration")
-    public class ContactDuration(public val duration: Double) : GuardSpec {
+    @Described("the TC rule: elastic if either sphere collided less than this time ago")
+    public class ContactDuration(
+        @Described("in units of time")
+        public val duration: Double,
+    ) : GuardSpec {
         override val remembers: Boolean get() = true
 
         override fun floor(rms: Double): Double = Double.NaN

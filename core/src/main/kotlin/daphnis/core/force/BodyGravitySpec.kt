@@ -1,5 +1,6 @@
 package daphnis.core.force
 
+import daphnis.core.input.Described
 import daphnis.core.input.Quantities
 import daphnis.core.population.Population
 import kotlinx.serialization.SerialName
@@ -11,8 +12,11 @@ import kotlinx.serialization.Serializable
  */
 @Serializable
 @SerialName("body-gravity")
+@Described("gravity between `bodies` and all other spheres, but not among those others")
 public class BodyGravitySpec @JvmOverloads constructor(
+    @Described("ε in 1/(r² + ε²), a length; default 0")
     public val softening: Double = 0.0,
+    @Described("G in the scenario's units; default from `units.lengthInMetres`")
     override val constant: Double? = null,
 ) : ForceSpec {
     override fun force(place: ForcePlace): Force {

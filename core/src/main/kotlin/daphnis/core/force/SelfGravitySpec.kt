@@ -1,6 +1,7 @@
 package daphnis.core.force
 
 import daphnis.core.force.mesh.MeshPoints
+import daphnis.core.input.Described
 import daphnis.core.input.Quantities
 import daphnis.core.input.Quantities.Companion.number
 import daphnis.core.population.Population
@@ -21,13 +22,31 @@ import kotlin.math.sqrt
  */
 @Serializable
 @SerialName("self-gravity")
+@Described("gravity among all spheres")
 public class SelfGravitySpec @JvmOverloads constructor(
+    @Described("of the tree, in [0, 1]; default 0.5")
     public val openingAngle: Double = 0.5,
+    @Described("ε in 1/(r² + ε²), a length; tree and mesh; default 0")
     public val softening: Double = 0.0,
+    @Described(
+        "of the tree, 0 to 60: it reaches `images` + ½ of the shortest periodic edge around each sphere; default " +
+            "1",
+    )
     public val images: Int = 1,
+    @Described("G in the scenario's units; default from `units.lengthInMetres`")
     override val constant: Double? = null,
+    @Described(
+        "`tree`: any box, up to a range; `mesh`: a box that repeats along x and y and is open along z, with all " +
+            "of its images, quicker; `radial-modes`: radially alone, as if all were the same along the orbit; " +
+            "default `tree`",
+    )
     public val method: GravityMethod = GravityMethod.TREE,
+    @Described(
+        "between points of the mesh, a length, taken as at least 1/42 of the height of the highest sphere and at " +
+            "most an eighth of an edge; default about one point in the plane per sphere",
+    )
     public val spacing: Double? = null,
+    @Described("M of the waves L_x, L_x/2, … L_x/M of `radial-modes`, which needs it")
     public val modes: Int? = null,
 ) : ForceSpec {
     override val isAmongAll: Boolean get() = true

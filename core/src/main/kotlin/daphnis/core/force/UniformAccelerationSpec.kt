@@ -1,5 +1,6 @@
 package daphnis.core.force
 
+import daphnis.core.input.Described
 import daphnis.core.input.Quantities
 import daphnis.core.population.Population
 import kotlinx.serialization.SerialName
@@ -8,7 +9,11 @@ import kotlinx.serialization.Serializable
 /** See [UniformAcceleration]. */
 @Serializable
 @SerialName("uniform-acceleration")
-public class UniformAccelerationSpec(override val acceleration: List<Double>) : ForceSpec {
+@Described("the same acceleration for every sphere")
+public class UniformAccelerationSpec(
+    @Described("three numbers, length/time²")
+    override val acceleration: List<Double>,
+) : ForceSpec {
     override val allowsChangingBox: Boolean get() = true
     override val actsOnDiscs: Boolean get() = true
     override val heats: Boolean get() = false

@@ -6,6 +6,7 @@ import daphnis.core.force.ForcePlace
 import daphnis.core.force.ForceSpec
 import daphnis.core.force.Pull
 import daphnis.core.force.orbitalRate
+import daphnis.core.input.Described
 import daphnis.core.input.Quantities
 import daphnis.core.input.Quantities.Companion.number
 import daphnis.core.input.UnitsSpec
@@ -38,20 +39,35 @@ import kotlin.math.abs
 @OptIn(ExperimentalSerializationApi::class)
 @Serializable
 @SerialName("satellite")
+@Described("a moon, on a prescribed epicycle or moved by the ring; there may be several")
 public class SatelliteSpec @JvmOverloads constructor(
+    @Described("mass over that of the planet; of this and `mass` exactly one; needs `units.lengthInMetres`")
     public val massRatio: Double? = null,
+    @Described("in units of mass")
     public val mass: Double? = null,
+    @Described("of its guiding centre, a length")
     override val x: Double,
+    @Described("of its guiding centre at `epoch`, a length")
     public val y: Double,
+    @Described("amplitude of the epicycle, a length; default 0")
     override val e: Double = 0.0,
+    @Described("at `epoch` in radians; 0 is pericentre; default 0")
     public val phase: Double = 0.0,
+    @Described("ε in 1/(r² + ε²), a length; default 0")
     public val softening: Double = 0.0,
+    @Described("particles which touch the satellite are removed; 0, a point, for one that feels the ring; default 0")
     public val radius: Double = 0.0,
+    @Described("G in the scenario's units, with `mass`; default from `units.lengthInMetres`")
     override val constant: Double? = null,
+    @Described("amplitude of its swing across the plane, a length; default 0")
     @EncodeDefault(EncodeDefault.Mode.NEVER) override val inclination: Double = 0.0,
+    @Described("phase of that swing at `epoch` in radians; 0 is the ascending node; default 0")
     @EncodeDefault(EncodeDefault.Mode.NEVER) public val node: Double = 0.0,
+    @Described("whether it passes again after every synodic period; default false")
     @EncodeDefault(EncodeDefault.Mode.NEVER) override val returns: Boolean = false,
+    @Described("whether the ring moves it: it takes up what it gives to all spheres; default false")
     @EncodeDefault(EncodeDefault.Mode.NEVER) public val feelsRing: Boolean = false,
+    @Described("time of these elements; default 0")
     @EncodeDefault(EncodeDefault.Mode.NEVER) override val epoch: Double = 0.0,
 ) : ForceSpec,
     Moon {

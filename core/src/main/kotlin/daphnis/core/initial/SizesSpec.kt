@@ -1,5 +1,6 @@
 package daphnis.core.initial
 
+import daphnis.core.input.Described
 import kotlinx.serialization.SerialName
 import kotlinx.serialization.Serializable
 
@@ -23,7 +24,11 @@ public sealed interface SizesSpec {
 
     @Serializable
     @SerialName("equal")
-    public class Equal(override val radius: Double) : SizesSpec {
+    @Described("one radius")
+    public class Equal(
+        @Described("of all spheres, a length")
+        override val radius: Double,
+    ) : SizesSpec {
         override val range: Pair<Double, Double> get() = radius to radius
 
         override fun distribution(): SizeDistribution = EqualSizes(radius)
@@ -31,8 +36,15 @@ public sealed interface SizesSpec {
 
     @Serializable
     @SerialName("power-law")
-    public class PowerLaw(public val minimum: Double, public val maximum: Double, public val exponent: Double) :
-        SizesSpec {
+    @Described("n(r) ∝ r^−q between two radii")
+    public class PowerLaw(
+        @Described("least radius")
+        public val minimum: Double,
+        @Described("greatest radius")
+        public val maximum: Double,
+        @Described("q")
+        public val exponent: Double,
+    ) : SizesSpec {
         override val isContinuous: Boolean get() = true
         override val range: Pair<Double, Double> get() = minimum to maximum
 
@@ -41,10 +53,15 @@ public sealed interface SizesSpec {
 
     @Serializable
     @SerialName("log-normal")
+    @Described("ln r is normal, cut off at two radii")
     public class LogNormal(
+        @Described("of r, a length")
         public val median: Double,
+        @Described("standard deviation of ln r")
         public val sigma: Double,
+        @Described("least radius")
         public val minimum: Double,
+        @Described("greatest radius")
         public val maximum: Double,
     ) : SizesSpec {
         override val isContinuous: Boolean get() = true
@@ -55,7 +72,11 @@ public sealed interface SizesSpec {
 
     @Serializable
     @SerialName("list")
-    public class Listed(public val radii: List<Double>) : SizesSpec {
+    @Described("radii one by one")
+    public class Listed(
+        @Described("repeated in order")
+        public val radii: List<Double>,
+    ) : SizesSpec {
         override val isInOrder: Boolean get() = true
         override val range: Pair<Double, Double> get() = radii.min() to radii.max()
 

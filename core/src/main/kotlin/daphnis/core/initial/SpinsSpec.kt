@@ -1,5 +1,6 @@
 package daphnis.core.initial
 
+import daphnis.core.input.Described
 import daphnis.core.input.ValueCheck
 import daphnis.core.scenario.all
 import daphnis.core.scenario.around
@@ -25,7 +26,11 @@ public sealed interface SpinsSpec {
     /** All spheres spin alike. */
     @Serializable
     @SerialName("rest")
-    public class Rest @JvmOverloads constructor(override val mean: List<Double> = listOf(0.0, 0.0, 0.0)) : SpinsSpec
+    @Described("all spheres have the same spin")
+    public class Rest @JvmOverloads constructor(
+        @Described("that spin, radians per unit of time; of discs only z; default [0, 0, 0]")
+        override val mean: List<Double> = listOf(0.0, 0.0, 0.0),
+    ) : SpinsSpec
 
     /**
      * Every component normal around the mean, with exactly one of the standard deviation [sigma], the same for all, and
@@ -33,9 +38,13 @@ public sealed interface SpinsSpec {
      */
     @Serializable
     @SerialName("gaussian")
+    @Described("each component is normal around the mean; exactly one of `sigma` and `temperature`")
     public class Gaussian @JvmOverloads constructor(
+        @Described("standard deviation of a component, radians per unit of time, the same for all sizes")
         public val sigma: Double? = null,
+        @Described("T, mass · speed², the same energy for all sizes: the standard deviation is √(T/I)")
         public val temperature: Double? = null,
+        @Described("radians per unit of time; of discs only z; default [0, 0, 0]")
         override val mean: List<Double> = listOf(0.0, 0.0, 0.0),
     ) : SpinsSpec {
         override fun deviation(momentFactor: Double, mass: Double, radius: Double, check: ValueCheck): Double {

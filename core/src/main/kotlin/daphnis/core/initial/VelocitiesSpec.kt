@@ -1,5 +1,6 @@
 package daphnis.core.initial
 
+import daphnis.core.input.Described
 import daphnis.core.input.ValueCheck
 import daphnis.core.scenario.all
 import kotlinx.serialization.SerialName
@@ -23,17 +24,24 @@ public sealed interface VelocitiesSpec {
 
     @Serializable
     @SerialName("rest")
+    @Described("zero")
     public class Rest @JvmOverloads constructor(
+        @Described("adds the mean flow of a sheared boundary; default false")
         override val shearProfile: Boolean = false,
+        @Described("subtracts the velocity of the centre of mass that the draw left; default true")
         override val zeroMomentum: Boolean = true,
     ) : VelocitiesSpec
 
     /** Every component uniform in ±[halfWidth]. */
     @Serializable
     @SerialName("uniform")
+    @Described("each component is uniform in ±`halfWidth`")
     public class Uniform @JvmOverloads constructor(
+        @Described("a speed")
         public val halfWidth: Double,
+        @Described("adds the mean flow of a sheared boundary; default false")
         override val shearProfile: Boolean = false,
+        @Described("subtracts the velocity of the centre of mass that the draw left; default true")
         override val zeroMomentum: Boolean = true,
     ) : VelocitiesSpec {
         override fun field(check: ValueCheck): DrawnVelocity {
@@ -52,11 +60,20 @@ public sealed interface VelocitiesSpec {
      */
     @Serializable
     @SerialName("gaussian")
+    @Described("each component is normal; exactly one of `sigma` and `temperature`")
     public class Gaussian @JvmOverloads constructor(
+        @Described("standard deviation of a component, a speed, the same for all sizes")
         public val sigma: Double? = null,
+        @Described("adds the mean flow of a sheared boundary; default false")
         override val shearProfile: Boolean = false,
+        @Described("subtracts the velocity of the centre of mass that the draw left; default true")
         override val zeroMomentum: Boolean = true,
+        @Described("T, mass · speed², the same energy for all sizes: the standard deviation is √(T/m)")
         public val temperature: Double? = null,
+        @Described(
+            "scales what is drawn, so that the first row of `series.csv` has the temperature asked for; default " +
+                "false",
+        )
         public val exact: Boolean = false,
     ) : VelocitiesSpec {
         override fun field(check: ValueCheck): DrawnVelocity {

@@ -13,8 +13,11 @@ import kotlinx.serialization.Serializable
  */
 @Serializable
 public class UnitsSpec @JvmOverloads constructor(
+    @Described("one unit of speed in cm/s, for laws of restitution, which were measured in cm/s; default 1")
     public val speedInCmPerSecond: Double = 1.0,
+    @Described("one unit of length in metres; planets and gravity need it; default none")
     public val lengthInMetres: Double? = null,
+    @Described("one unit of mass in kilograms; default 1")
     public val massInKg: Double = 1.0,
 ) {
     /** How many seconds one unit of time is; null when the length is not known. */

@@ -1,5 +1,6 @@
 package daphnis.core.merging
 
+import daphnis.core.input.Described
 import daphnis.core.input.Quantities
 import daphnis.core.input.ValueCheck
 import kotlinx.serialization.Serializable
@@ -11,9 +12,13 @@ import kotlinx.serialization.Serializable
  */
 @Serializable
 public class BreakingSpec(
+    @Described("normal component of the relative velocity above which spheres break, ≥ 0")
     public val speed: Double,
+    @Described("of each sphere, 2 to 1000")
     public val pieces: Int,
+    @Described("speed at which pieces leave the centre of their sphere, > 0; of an odd number one stays there")
     public val spread: Double,
+    @Described("radius of a piece, > 0; a sphere whose pieces would be smaller does not break")
     public val smallest: Double,
 ) {
     /**

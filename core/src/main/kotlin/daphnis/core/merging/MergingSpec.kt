@@ -1,5 +1,6 @@
 package daphnis.core.merging
 
+import daphnis.core.input.Described
 import daphnis.core.input.Quantities
 import daphnis.core.input.ValueCheck
 import kotlinx.serialization.SerialName
@@ -22,6 +23,7 @@ public sealed interface MergingSpec {
     /** See [MergeRule.always]. */
     @Serializable
     @SerialName("always")
+    @Described("every impact merges")
     public class Always : MergingSpec {
         override fun rule(key: String, gravitationalConstant: Double?, check: ValueCheck): MergeRule =
             MergeRule.always()
@@ -32,7 +34,11 @@ public sealed interface MergingSpec {
     /** See [MergeRule.below]. */
     @Serializable
     @SerialName("slow")
-    public class Slow(public val speed: Double) : MergingSpec {
+    @Described("impacts slower than this merge")
+    public class Slow(
+        @Described("of the whole relative velocity of the centres, > 0")
+        public val speed: Double,
+    ) : MergingSpec {
         override fun rule(key: String, gravitationalConstant: Double?, check: ValueCheck): MergeRule {
             check.positive("$key.speed", speed)
             return MergeRule.below(speed)
@@ -44,7 +50,11 @@ public sealed interface MergingSpec {
     /** See [MergeRule.belowEscape]. */
     @Serializable
     @SerialName("escape")
-    public class Escape @JvmOverloads constructor(public val factor: Double = 1.0) : MergingSpec {
+    @Described("impacts slower than so many speeds of escape √(2Gm/d) of the two from each other merge")
+    public class Escape @JvmOverloads constructor(
+        @Described("how many; default 1")
+        public val factor: Double = 1.0,
+    ) : MergingSpec {
         override fun rule(key: String, gravitationalConstant: Double?, check: ValueCheck): MergeRule {
             check.positive("$key.factor", factor)
             val constant = gravitationalConstant

@@ -1,5 +1,6 @@
 package daphnis.core.potential
 
+import daphnis.core.input.Described
 import daphnis.core.input.Quantities
 import daphnis.core.input.ValueCheck
 import kotlinx.serialization.Serializable
@@ -13,8 +14,14 @@ import kotlinx.serialization.Serializable
  */
 @Serializable
 public class BondsSpec @JvmOverloads constructor(
+    @Described("spheres in a chain, at least 2; 2 makes dimers")
     public val length: Int,
+    @Described("greatest distance of neighbours over the sum of their radii")
     public val greatest: Double,
+    @Described(
+        "least distance over the same, at least 1: at 1 surfaces meet, as `restitution` says; beyond that the two " +
+            "bounce without loss; default 1",
+    )
     public val least: Double = 1.0,
 ) {
     /**

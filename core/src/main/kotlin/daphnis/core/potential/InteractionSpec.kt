@@ -1,5 +1,6 @@
 package daphnis.core.potential
 
+import daphnis.core.input.Described
 import daphnis.core.input.Quantities
 import daphnis.core.input.ValueCheck
 import kotlinx.serialization.SerialName
@@ -31,6 +32,7 @@ public sealed interface InteractionSpec {
     /** Nothing, for pairs of materials where others do something. */
     @Serializable
     @SerialName("none")
+    @Described("nothing, in `contacts`")
     public class None : InteractionSpec {
         override val isNone: Boolean get() = true
 
@@ -42,7 +44,13 @@ public sealed interface InteractionSpec {
     /** See [SteppedPotential.squareWell]. */
     @Serializable
     @SerialName("square-well")
-    public class SquareWell(public val ratio: Double, public val depth: Double) : InteractionSpec {
+    @Described("attraction within a distance")
+    public class SquareWell(
+        @Described("distance of the edge over the sum of the radii, > 1, ≤ 100")
+        public val ratio: Double,
+        @Described("energy, mass · speed², > 0")
+        public val depth: Double,
+    ) : InteractionSpec {
         override fun interaction(key: String, check: ValueCheck): PairInteraction {
             checkRatio("$key.ratio", ratio, check)
             check.positive("$key.depth", depth)
@@ -56,7 +64,13 @@ public sealed interface InteractionSpec {
     /** See [SteppedPotential.squareShoulder]. */
     @Serializable
     @SerialName("square-shoulder")
-    public class SquareShoulder(public val ratio: Double, public val height: Double) : InteractionSpec {
+    @Described("repulsion within a distance")
+    public class SquareShoulder(
+        @Described("distance of the edge over the sum of the radii, > 1, ≤ 100")
+        public val ratio: Double,
+        @Described("energy, mass · speed², > 0")
+        public val height: Double,
+    ) : InteractionSpec {
         override fun interaction(key: String, check: ValueCheck): PairInteraction {
             checkRatio("$key.ratio", ratio, check)
             check.positive("$key.height", height)
@@ -74,10 +88,18 @@ public sealed interface InteractionSpec {
      */
     @Serializable
     @SerialName("bridge")
+    @Described("a bond that forms at contact and breaks at an edge")
     public class Bridge @JvmOverloads constructor(
+        @Described("distance at which it breaks over the sum of the radii, > 1, ≤ 100")
         public val ratio: Double,
+        @Described("that breaking takes, mass · speed², > 0")
         public val energy: Double,
+        @Described("of two equal spheres that have `energy`, where `exponent` is not 0")
         public val radius: Double? = null,
+        @Described(
+            "the energy goes as R_eff = r₁r₂/(r₁ + r₂) to this power, −10 to 10; 4/3 is that of elastic spheres " +
+                "that stick (JKR); default 0",
+        )
         public val exponent: Double = 0.0,
     ) : InteractionSpec {
         override val remembers: Boolean get() = true
@@ -108,7 +130,13 @@ public sealed interface InteractionSpec {
      */
     @Serializable
     @SerialName("stepped")
-    public class Stepped(public val steps: List<List<Double>>) : InteractionSpec {
+    @Described(
+        "any number of steps of energy; with one at ratio 1 spheres are not hard and may pass through one another",
+    )
+    public class Stepped(
+        @Described("pairs of a ratio and the energy within it, the outermost first")
+        public val steps: List<List<Double>>,
+    ) : InteractionSpec {
         override fun interaction(key: String, check: ValueCheck): PairInteraction {
             val its = "$key.steps"
             check.that(its, steps, steps.isNotEmpty()) { "must have one step at least, such as [[1.5, -1]]" }

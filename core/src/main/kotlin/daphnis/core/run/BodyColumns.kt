@@ -17,7 +17,7 @@ internal class BodyRow(val simulation: Simulation, val push: BodyPush, val state
 }
 
 /**
- * The columns of `bodies.csv`, a row for each body and time; `docs/guide.md` says what they mean. A further quantity
+ * The columns of `bodies.csv`, a row for each body and time; `docs/columns.md` says what they mean. A further quantity
  * is a further line here. A satellite that feels the ring is a body too.
  */
 public object BodyColumns : TableColumns {

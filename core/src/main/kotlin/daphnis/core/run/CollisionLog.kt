@@ -92,7 +92,7 @@ internal class LoggedCollision(val held: HeldCollisions) {
 }
 
 /**
- * The columns of `collisions.csv`; `docs/guide.md` says what they mean. A further quantity is a further line here.
+ * The columns of `collisions.csv`; `docs/columns.md` says what they mean. A further quantity is a further line here.
  * [TANGENTIAL_IMPULSE] is only there where spheres have spins, [EDGE] where they have interactions, and
  * [SURFACE_DISSIPATION] in both, and where they merge or break.
  */

@@ -10,7 +10,7 @@ import daphnis.core.table.UnitsOfDimensions
 /** Bin [k] of the impact speeds in [statistics]. */
 internal class ImpactBin(val statistics: CollisionStatistics, val k: Int)
 
-/** The columns of `impacts.csv`, one row per bin; `docs/guide.md` says what they mean. */
+/** The columns of `impacts.csv`, one row per bin; `docs/columns.md` says what they mean. */
 public object ImpactColumns : TableColumns {
     internal val rows = Columns<ImpactBin>("impacts.csv")
     override val file: String get() = rows.file

@@ -53,7 +53,7 @@ internal class ModeRow(val simulation: Simulation, val sums: ModeSums, val mode:
         if (k == 0) sums.real(quantity, mode) else sums.imaginary(quantity, mode)
 }
 
-/** The columns of `modes.csv`; `docs/guide.md` says what they mean, and [ModeSums] how modes are defined. */
+/** The columns of `modes.csv`; `docs/columns.md` says what they mean, and [ModeSums] how modes are defined. */
 public object ModeColumns : TableColumns {
     internal val rows = Columns<ModeRow>("modes.csv")
     override val file: String get() = rows.file

@@ -12,7 +12,7 @@ import kotlin.reflect.KProperty1
  *
  * A further one is an `object` of this class in a file of this package, beside its [Output], and a key in [OutputSpec].
  * The compiler lists the objects of a sealed class, so [PeriodicOutputs] has it then. Tests ask for its rows in
- * `docs/scenario.md` and `docs/guide.md`.
+ * `docs/columns.md`, and a description of its key.
  *
  * @property name in the checkpoint and in messages; an output of a program cannot have it
  * @param property its key: a number of steps, 0 for never, or whether it is written after every step

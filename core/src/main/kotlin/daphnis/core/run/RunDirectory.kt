@@ -17,7 +17,7 @@ import kotlin.io.path.isDirectory
 import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.name
 
-/** The files of one run and where they are. `docs/guide.md` has the table. */
+/** The files of one run and where they are. `docs/runs.md` has the table. */
 public class RunDirectory internal constructor(public val path: Path, internal val files: FileOperations) {
     public constructor(path: Path) : this(path, FileOperations())
 

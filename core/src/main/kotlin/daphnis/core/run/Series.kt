@@ -106,7 +106,7 @@ internal class SeriesRow(val simulation: Simulation, stepSums: StepSums, val exc
 }
 
 /**
- * The columns of `series.csv`; `docs/guide.md` says what they mean. A further quantity is a further line here. Those
+ * The columns of `series.csv`; `docs/columns.md` says what they mean. A further quantity is a further line here. Those
  * from [ROTATIONAL_ENERGY] on are only there where spheres have spins, [FILLING_FACTOR] and [REDUCED_PRESSURE] where
  * they grow, those of a piston where that wall is one, and [EDGE_EVENTS] where spheres have interactions. Those of
  * [exchanged] are there for each source.

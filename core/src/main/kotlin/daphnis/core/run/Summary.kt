@@ -17,7 +17,7 @@ import java.nio.file.Files
 import java.nio.file.Path
 
 /**
- * `summary.json`, the result of a run. `docs/guide.md` explains every entry.
+ * `summary.json`, the result of a run. `docs/runs.md` explains every entry.
  *
  * @property finished false when the run was interrupted
  * @property maxOverlap deepest overlap at the end, as a fraction of the sum of two radii

@@ -90,7 +90,7 @@ internal class TransportRow(
 }
 
 /**
- * The columns of `transport.csv`; `docs/guide.md` says what they mean. A further quantity is a further line here. Those
+ * The columns of `transport.csv`; `docs/columns.md` says what they mean. A further quantity is a further line here. Those
  * from `virial_yx` on are only there where spheres have spins, those from [WALL_WORK] on where walls move or are
  * thermal, and those from [KINETIC_HEAT] on of smooth elastic gases at rest.
  */

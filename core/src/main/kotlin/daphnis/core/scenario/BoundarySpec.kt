@@ -3,11 +3,11 @@ package daphnis.core.scenario
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.OpenPlane
+import daphnis.core.input.Described
 import daphnis.core.input.InputException
 import daphnis.core.input.ValueCheck
 import daphnis.core.orbit.OrbitalFrequencies
 import daphnis.core.wall.Piston
-import daphnis.core.wall.Wall
 import kotlinx.serialization.EncodeDefault
 import kotlinx.serialization.ExperimentalSerializationApi
 import kotlinx.serialization.SerialName
@@ -69,6 +69,7 @@ public sealed interface BoundarySpec {
     /** No faces. The box only gives the space in which spheres are placed at the start. */
     @Serializable
     @SerialName("open")
+    @Described("no faces; the box only says where spheres are placed")
     public class Open : BoundarySpec {
         override val isOpen: Boolean get() = true
 
@@ -87,6 +88,7 @@ public sealed interface BoundarySpec {
 
     @Serializable
     @SerialName("periodic")
+    @Described("periodic along all axes; contacts are found through all faces")
     public class Periodic : BoundarySpec {
         override val repeatsAtRest: Boolean get() = true
 
@@ -109,11 +111,17 @@ public sealed interface BoundarySpec {
      */
     @Serializable
     @SerialName("walls")
+    @Described("walls across the named axes, and of other shapes; the other axes are periodic")
     public class Walls @JvmOverloads constructor(
+        @Described("axes across which the box has walls; the others repeat; default `xyz`")
         public val axes: String = "xyz",
+        @Described("coefficient of restitution, in [0, 1]; default 1")
         public val restitution: Double = 1.0,
+        @Described("surfaces of the faces; default smooth")
         public val roughness: WallRoughnessSpec? = null,
+        @Described("what single faces have of their own; default nothing")
         public val faces: WallFacesSpec? = null,
+        @Described("walls that are not faces of the box; default none")
         override val surfaces: List<WallSurfaceSpec> = emptyList(),
     ) : BoundarySpec {
         override val drives: Boolean
@@ -142,9 +150,9 @@ public sealed interface BoundarySpec {
                 "must name x, y or both, with dimensions 2"
             }
             val shapes = surfaces.mapIndexed { k, it -> it.surface("$SURFACES[$k]", check) }
-            val inSpace = named.filter { !isEnclosed(AXES.indexOf(it), box, shapes) }.joinToString("")
+            val inSpace = named.filter { !WallShapes.areEnclosing(AXES.indexOf(it), box, shapes) }.joinToString("")
             val walled = BooleanArray(AXES.length) { AXES[it] in inSpace }
-            checkShapes(shapes, walled, box, check)
+            WallShapes.check(shapes, walled, box, check)
             val rough = roughness?.laws(inSpace, check) ?: emptyList()
             val own = faces?.faces(inSpace, check) ?: emptyList()
             for (face in own.indices) {
@@ -167,30 +175,6 @@ public sealed interface BoundarySpec {
             return walls
         }
 
-        private fun isEnclosed(axis: Int, box: Box, shapes: List<Wall>) =
-            shapes.any { it.encloses(axis, box.lower(axis), box.upper(axis)) }
-
-        /** Along an axis without walls the box repeats, and a surface must repeat with it. */
-        private fun checkShapes(shapes: List<Wall>, walled: BooleanArray, box: Box, check: ValueCheck) {
-            for ((k, shape) in shapes.withIndex()) {
-                val key = "$SURFACES[$k]"
-                check.must(key, !box.space.isPlane || shape.isSameAlong(2)) {
-                    "is not the same everywhere along z; with dimensions 2 take a cylinder along z, or a plane along it"
-                }
-                check.must("$key.belt", !box.space.isPlane || !shape.glides(2)) {
-                    "moves along z, out of the plane of the discs"
-                }
-                for (axis in 0 until box.space.dimensions) {
-                    val isOpen = !walled[axis] && !isEnclosed(axis, box, shapes)
-                    check.must(key, !isOpen || shape.isSameAlong(axis)) {
-                        val name = AXES[axis]
-                        "leaves a gap: the box repeats along $name, and the surface is not the same everywhere along " +
-                            "it; give boundary.axes with $name, or a box of which a cylinder or sphere closes $name"
-                    }
-                }
-            }
-        }
-
         override fun inWords(number: DoubleFunction<String>, speed: DoubleFunction<String>): String =
             (if (axes.isEmpty()) ONLY_SURFACES else "walls across $axes") +
                 ", restitution ${number.apply(restitution)}, " +
@@ -203,7 +187,14 @@ public sealed interface BoundarySpec {
     /** The paper's sheared periodic box. */
     @Serializable
     @SerialName("sheared-periodic")
-    public class ShearedPeriodic(public val velocityJump: Double) : BoundarySpec {
+    @Described(
+        "the paper's box: wraps spheres after each step and changes v_x of those that crossed a y face; no " +
+            "contacts through faces",
+    )
+    public class ShearedPeriodic(
+        @Described("v_x that a sphere gets which crosses a y face, a speed")
+        public val velocityJump: Double,
+    ) : BoundarySpec {
         override val drives: Boolean get() = velocityJump != 0.0
 
         override fun conditions(
@@ -224,7 +215,11 @@ public sealed interface BoundarySpec {
 
     @Serializable
     @SerialName("lees-edwards")
-    public class LeesEdwards(override val shearRate: Double) : BoundarySpec {
+    @Described("images slide; contacts are found through all faces")
+    public class LeesEdwards(
+        @Described("of the mean flow that sliding images keep up, 1/time")
+        override val shearRate: Double,
+    ) : BoundarySpec {
         override val drives: Boolean get() = shearRate != 0.0
 
         override fun conditions(
@@ -248,8 +243,11 @@ public sealed interface BoundarySpec {
     @OptIn(ExperimentalSerializationApi::class)
     @Serializable
     @SerialName("hill-sheet")
+    @Described("the shearing sheet of Hill's frame, periodic along y and x, open along z; needs `frame`")
     public class HillSheet @JvmOverloads constructor(
+        @Described("whether it is a ringlet with free edges; default false")
         public val radiallyOpen: Boolean = false,
+        @Described("q of a sheet whose images breathe, 0 ≤ q < 1; default 0")
         @EncodeDefault(EncodeDefault.Mode.NEVER) public val perturbation: Double = 0.0,
     ) : BoundarySpec {
         override val narrowing: Double get() = perturbation

@@ -1,5 +1,6 @@
 package daphnis.core.scenario
 
+import daphnis.core.input.Described
 import daphnis.core.input.ValueCheck
 import daphnis.core.surface.RoughnessSpec
 import daphnis.core.wall.CylinderWall
@@ -17,14 +18,23 @@ import kotlin.math.abs
  */
 @Serializable
 @SerialName("cylinder")
+@Described("around the line through `point` along `axis`, about which it may turn")
 public class CylinderWallSpec @JvmOverloads constructor(
+    @Described("direction of its axis")
     public val axis: List<Double>,
+    @Described("a length")
     public val radius: Double,
+    @Described("of the axis; default [0, 0, 0]")
     public val point: List<Double> = NOWHERE,
+    @Described("`inside` or `outside`, where spheres are; default `inside`")
     public val room: RoomName = RoomName.INSIDE,
+    @Described("in [0, 1]; default that of the walls")
     override val restitution: Double? = null,
+    @Described("its surface, whatever `boundary.roughness` says; default smooth")
     override val roughness: RoughnessSpec? = null,
+    @Described("of a thermal wall, mass · speed²; default reflects")
     override val temperature: Double? = null,
+    @Described("about the axis, radians per unit of time; acts by `roughness` alone; default 0")
     public val angularVelocity: Double = 0.0,
 ) : WallSurfaceSpec {
     override val slides: Boolean get() = angularVelocity != 0.0

@@ -1,5 +1,6 @@
 package daphnis.core.scenario
 
+import daphnis.core.input.Described
 import daphnis.core.input.Planet
 import daphnis.core.input.UnitsSpec
 import daphnis.core.input.ValueCheck
@@ -15,9 +16,13 @@ import java.util.Locale
  */
 @Serializable
 public class OblatenessSpec @JvmOverloads constructor(
+    @Described("radius of the planet to which the moments refer")
     public val radiusInKm: Double,
+    @Described("J2 of the planet; default 0")
     public val j2: Double = 0.0,
+    @Described("J4 of the planet; default 0")
     public val j4: Double = 0.0,
+    @Described("J6 of the planet; default 0")
     public val j6: Double = 0.0,
 )
 
@@ -59,13 +64,21 @@ public sealed interface FrameSpec {
      */
     @Serializable
     @SerialName("hill")
+    @Described("Hill's frame")
     public class Hill @JvmOverloads constructor(
+        @Described("Ω in radians per unit of time; of this and `distanceInKm` exactly one")
         public val angularSpeed: Double? = null,
+        @Described("distance from the centre of `planet` in km")
         public val distanceInKm: Double? = null,
+        @Described("`saturn`, `jupiter`, `uranus` or `neptune`; default `saturn`")
         public val planet: Planet = Planet.SATURN,
+        @Described("ν, the vertical frequency, over Ω; default 1, or by `oblateness`")
         override val verticalFactor: Double? = null,
+        @Described("κ, the radial frequency of epicycles, over Ω; > 0, < 2; default 1, or by `oblateness`")
         public val radialFactor: Double? = null,
+        @Described("GM in km³/s², in place of that of `planet`; default that of `planet`")
         public val gravitationalParameter: Double? = null,
+        @Described("figure of the planet, with `distanceInKm`; default a point mass")
         public val oblateness: OblatenessSpec? = null,
     ) : FrameSpec {
         override val inWords: String?

@@ -4,6 +4,7 @@ import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.Box
 import daphnis.core.compression.GrowingSpheres
 import daphnis.core.initial.fillingFactor
+import daphnis.core.input.Described
 import daphnis.core.input.ValueCheck
 import daphnis.core.population.Population
 import kotlinx.serialization.Serializable
@@ -25,10 +26,18 @@ import kotlin.math.sqrt
  */
 @Serializable
 public class GrowthSpec @JvmOverloads constructor(
+    @Described("Γ: a radius at time t is its radius at the start times 1 + Γt; below 0 spheres shrink, 0 is no growth")
     public val rate: Double,
+    @Described(
+        "after each step velocities are rescaled, so that the kinetic energy is that at its start, and the " +
+            "momentum is 0; default true",
+    )
     public val thermostat: Boolean = true,
+    @Described("the run ends with the step in which it is reached; default none")
     public val untilFillingFactor: Double? = null,
+    @Described("the same for the reduced pressure PV/(NkT) of a step; default none")
     public val untilPressure: Double? = null,
+    @Described("a time at which radii were those that Γ is over; default the start, or that of the run it goes on from")
     public val since: Double? = null,
 ) {
     /** The same with the rate over radii at the time [since]. */

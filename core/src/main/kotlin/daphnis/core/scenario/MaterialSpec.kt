@@ -1,6 +1,7 @@
 package daphnis.core.scenario
 
 import daphnis.core.initial.SizesSpec
+import daphnis.core.input.Described
 import daphnis.core.potential.InteractionSpec
 import daphnis.core.surface.RestitutionSpec
 import daphnis.core.surface.RoughnessSpec
@@ -14,11 +15,20 @@ import kotlinx.serialization.Serializable
  */
 @Serializable
 public class MaterialSpec @JvmOverloads constructor(
+    @Described("a word of letters, digits, `_` and `-`")
     public val name: String,
+    @Described(
+        "part of the number of all spheres, all adding up to 1; of this and `count` exactly one, the same for all " +
+            "materials",
+    )
     public val share: Double? = null,
+    @Described("number of spheres")
     public val count: Int? = null,
+    @Described("distribution of radii")
     public val sizes: SizesSpec,
+    @Described("mass per volume of a sphere; default 1")
     public val density: Double = 1.0,
+    @Described("the same mass for every sphere, in place of `density`; default by `density`")
     public val mass: Double? = null,
 ) {
     internal companion object {
@@ -34,8 +44,12 @@ public class MaterialSpec @JvmOverloads constructor(
 @OptIn(ExperimentalSerializationApi::class)
 @Serializable
 public class ContactSpec @JvmOverloads constructor(
+    @Described("the names of two materials, which may be the same, in any order; each pair once")
     public val between: List<String>,
+    @Described("for impacts of these two; default that of all")
     public val restitution: RestitutionSpec? = null,
+    @Described("for these two, without `momentFactor`; default that of all")
     public val roughness: RoughnessSpec? = null,
+    @Described("for these two; type `none` switches that of all off; default that of all")
     @EncodeDefault(EncodeDefault.Mode.NEVER) public val interaction: InteractionSpec? = null,
 )

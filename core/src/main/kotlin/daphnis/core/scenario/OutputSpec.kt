@@ -1,5 +1,6 @@
 package daphnis.core.scenario
 
+import daphnis.core.input.Described
 import daphnis.core.wave.ModeSums
 import kotlinx.serialization.SerialName
 import kotlinx.serialization.Serializable
@@ -23,20 +24,38 @@ import kotlinx.serialization.json.jsonPrimitive
  */
 @Serializable
 public class OutputSpec @JvmOverloads constructor(
+    @Described("steps per row of `series.csv`; 0 is never, as of all `…Every`; default 1")
     public val seriesEvery: Int = SERIES,
+    @Described("steps per snapshot; the final state is always written; default 0")
     public val snapshotEvery: Int = 0,
+    @Described("steps per checkpoint; there is always one at the start and one at the end; default 100")
     public val checkpointEvery: Int = CHECKPOINTS,
+    @Described("whether `collisions.csv` is written; default false")
     public val collisionLog: Boolean = false,
+    @Described("steps per row of `transport.csv`, from which viscosities follow; default 0")
     public val transportEvery: Int = 0,
+    @Described("time between rows of `series.csv`, in place of `seriesEvery`; default none")
     public val seriesInterval: Double? = null,
+    @Described("time between snapshots, in place of `snapshotEvery`; default none")
     public val snapshotInterval: Double? = null,
+    @Described("time between checkpoints, in place of `checkpointEvery`; default none")
     public val checkpointInterval: Double? = null,
+    @Described("time between rows of `transport.csv`, in place of `transportEvery`; default none")
     public val transportInterval: Double? = null,
+    @Described("unit of all intervals: `time`, the scenario's, or `orbit`, which needs a frame; default `time`")
     public val intervalUnit: IntervalUnit? = null,
+    @Described("steps per state in `modes.csv`: waves along x, where the box has to repeat; default 0")
     public val modesEvery: Int = 0,
+    @Described("how many modes, 1 to 64: the last one has the wavelength of the box over this; default 8")
     public val modes: Int = MODES,
+    @Described("time between states in `modes.csv`, in place of `modesEvery`; default none")
     public val modesInterval: Double? = null,
+    @Described(
+        "steps per rows of `bodies.csv`, one for each of the `bodies` and each satellite that feels the ring: its " +
+            "orbit and what pushed it; default 0",
+    )
     public val bodiesEvery: Int = 0,
+    @Described("time between rows of `bodies.csv`, in place of `bodiesEvery`; default none")
     public val bodiesInterval: Double? = null,
 ) {
     /** Every number of steps, by its key. */

@@ -1,6 +1,7 @@
 package daphnis.core.scenario
 
 import daphnis.core.initial.Lattice
+import daphnis.core.input.Described
 import daphnis.core.space.Space
 import kotlinx.serialization.EncodeDefault
 import kotlinx.serialization.ExperimentalSerializationApi
@@ -35,6 +36,7 @@ public sealed interface PlacementSpec {
 
     @Serializable
     @SerialName("random")
+    @Described("random places without overlap, to a filling factor of about 0.35")
     public class Random : PlacementSpec {
         override val isDrawn: Boolean get() = true
 
@@ -51,7 +53,15 @@ public sealed interface PlacementSpec {
     @OptIn(ExperimentalSerializationApi::class)
     @Serializable
     @SerialName("grown")
+    @Described(
+        "random places at any filling factor up to about 0.64, of discs at any area fraction up to 0.9, by " +
+            "growth; needs a `periodic` box",
+    )
     public class Grown @JvmOverloads constructor(
+        @Described(
+            "reduced pressure P V/(NkT) at which spheres shall be, > 1, < 1000; `sizes` are then proportions; " +
+                "default none",
+        )
         @EncodeDefault(EncodeDefault.Mode.NEVER) override val pressure: Double? = null,
     ) : PlacementSpec {
         override val isDrawn: Boolean get() = true
@@ -70,8 +80,14 @@ public sealed interface PlacementSpec {
     @OptIn(ExperimentalSerializationApi::class)
     @Serializable
     @SerialName("lattice")
+    @Described("a lattice stretched to the box, up to a filling factor of 0.6 and more")
     public class Lattice @JvmOverloads constructor(
+        @Described(
+            "`fcc`, `hcp` (layers lie across z), `bcc` or `cubic`, of discs `hexagonal` or `square`; default " +
+                "`fcc`, of discs `hexagonal`",
+        )
         @EncodeDefault(EncodeDefault.Mode.NEVER) override val lattice: LatticeName? = null,
+        @Described("share of sites, drawn at random, that stay empty; default 0")
         @EncodeDefault(EncodeDefault.Mode.NEVER) override val vacancies: Double = 0.0,
     ) : PlacementSpec {
         override val isOrdered: Boolean get() = true
@@ -106,15 +122,31 @@ public sealed interface PlacementSpec {
      */
     @Serializable
     @SerialName("file")
+    @Described("a state from a file")
     public data class File @JvmOverloads constructor(
+        @Described("relative to the scenario; its extension says the format")
         public val path: String,
+        @Described("time of the state, from which series, snapshots and `until` count; default 0")
         public val time: Double? = null,
+        @Described("which of several states in the file; default the last")
         public val step: Long? = null,
+        @Described("mass per volume, where the file has no masses; default 1, which a line says")
         public val density: Double? = null,
+        @Described("written by a run from a state of another: its directory")
         public val run: String? = null,
+        @Described("written by a run from a state of another: how that counted its time")
         public val clock: ClockSpec? = null,
+        @Described(
+            "whether spheres outside are put where their images in the box are, along axes that repeat; default " +
+                "false",
+        )
         public val wrap: Boolean = false,
+        @Described(
+            "what is done about overlaps: `refuse`; `shrink` or `grow` radii; `relax`, spheres are moved apart; " +
+                "default `refuse`",
+        )
         public val overlaps: OverlapsName = OverlapsName.REFUSE,
+        @Described("names of the materials of the file, first the one with number 0; default none")
         public val materials: List<String>? = null,
     ) : PlacementSpec {
         override val file: File get() = this
@@ -130,7 +162,12 @@ public sealed interface PlacementSpec {
  * As [daphnis.core.Clock]: [steps] fixed steps from [start] lead to the state.
  */
 @Serializable
-public data class ClockSpec(public val start: Double, public val steps: Long)
+public data class ClockSpec(
+    @Described("time at which that run began")
+    public val start: Double,
+    @Described("steps that it had taken")
+    public val steps: Long,
+)
 
 /** What becomes of spheres of a file that overlap. */
 @Serializable

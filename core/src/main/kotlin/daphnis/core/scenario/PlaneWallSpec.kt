@@ -1,5 +1,6 @@
 package daphnis.core.scenario
 
+import daphnis.core.input.Described
 import daphnis.core.input.ValueCheck
 import daphnis.core.surface.RoughnessSpec
 import daphnis.core.wall.PlaneWall
@@ -14,13 +15,21 @@ import kotlin.math.sqrt
 /** @property belt velocity of the surface along itself */
 @Serializable
 @SerialName("plane")
+@Described("a plane, which may move along its normal")
 public class PlaneWallSpec @JvmOverloads constructor(
+    @Described("of the plane")
     public val point: List<Double>,
+    @Described("into the room")
     public val normal: List<Double>,
+    @Described("in [0, 1]; default that of the walls")
     override val restitution: Double? = null,
+    @Described("its surface, whatever `boundary.roughness` says; default smooth")
     override val roughness: RoughnessSpec? = null,
+    @Described("of a thermal wall, mass · speed²; default reflects")
     override val temperature: Double? = null,
+    @Described("along its normal, no piston; default rests")
     override val motion: WallMotionSpec? = null,
+    @Described("velocity of its surface along itself; acts by `roughness` alone; default [0, 0, 0]")
     public val belt: List<Double> = NOWHERE,
 ) : WallSurfaceSpec {
     override val slides: Boolean get() = belt.any { it != 0.0 }

@@ -1,5 +1,6 @@
 package daphnis.core.scenario
 
+import daphnis.core.input.Described
 import kotlinx.serialization.ExperimentalSerializationApi
 import kotlinx.serialization.descriptors.PolymorphicKind
 import kotlinx.serialization.descriptors.PrimitiveKind
@@ -15,7 +16,8 @@ import kotlinx.serialization.json.buildJsonObject
 
 /**
  * The JSON Schema (draft 2020-12) of scenario files, made from their declarations, with which editors complete keys and
- * mark what is wrong. It knows keys, types and which are needed, as [SchemaCheck] does, and no ranges.
+ * mark what is wrong. It knows keys, types and which are needed, as [SchemaCheck] does, and no ranges; what a key means
+ * it has from [Described].
  */
 @OptIn(ExperimentalSerializationApi::class)
 public object ScenarioSchema {
@@ -65,7 +67,10 @@ public object ScenarioSchema {
 
         private fun types(descriptor: SerialDescriptor): List<JsonObject> {
             val types = descriptor.getElementDescriptor(1)
-            return names(types).map { fields(types.getElementDescriptor(types.getElementIndex(it)), it) }
+            return names(types).map {
+                val type = types.getElementDescriptor(types.getElementIndex(it))
+                described(fields(type, it), type.annotations)
+            }
         }
 
         /** A reference to what [make] makes, which is in the schema once. */
@@ -90,7 +95,8 @@ public object ScenarioSchema {
         ): JsonObject {
             val kind = type?.let { mapOf("type" to JsonObject(mapOf("const" to JsonPrimitive(it)))) }.orEmpty()
             val own = (0 until descriptor.elementsCount).associate {
-                descriptor.getElementName(it) to of(descriptor.getElementDescriptor(it))
+                val plain = of(descriptor.getElementDescriptor(it))
+                descriptor.getElementName(it) to described(plain, descriptor.getElementAnnotations(it))
             }
             val needed = kind.keys +
                 (0 until descriptor.elementsCount).filterNot { descriptor.isElementOptional(it) }
@@ -101,6 +107,11 @@ public object ScenarioSchema {
                 if (needed.isNotEmpty()) put("required", JsonArray(needed.map { JsonPrimitive(it) }))
                 put("additionalProperties", JsonPrimitive(false))
             }
+        }
+
+        private fun described(plain: JsonObject, annotations: List<Annotation>): JsonObject {
+            val text = annotations.filterIsInstance<Described>().firstOrNull()?.text ?: return plain
+            return JsonObject(mapOf("description" to JsonPrimitive(text)) + plain)
         }
 
         private fun oneOf(all: List<JsonObject>) = JsonObject(mapOf("oneOf" to JsonArray(all)))

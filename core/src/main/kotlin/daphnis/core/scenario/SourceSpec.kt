@@ -1,6 +1,7 @@
 package daphnis.core.scenario
 
 import daphnis.core.initial.SizesSpec
+import daphnis.core.input.Described
 import daphnis.core.input.Quantities
 import daphnis.core.input.ValueCheck
 import daphnis.core.source.Inflow
@@ -35,7 +36,11 @@ public sealed interface SourceSpec {
     /** See [Outflow]. */
     @Serializable
     @SerialName("outflow")
-    public class OutflowSpec @JvmOverloads constructor(public val region: RegionSpec = RegionSpec()) : SourceSpec {
+    @Described("takes away the spheres whose centres are in its region")
+    public class OutflowSpec @JvmOverloads constructor(
+        @Described("where; default all of the box, or of space where it is open")
+        public val region: RegionSpec = RegionSpec(),
+    ) : SourceSpec {
         override val brings: Boolean get() = false
 
         override fun source(place: SourcePlace): Source = Outflow(place.box(region, brings = false))
@@ -53,12 +58,22 @@ public sealed interface SourceSpec {
      */
     @Serializable
     @SerialName("inflow")
+    @Described("brings spheres at random times")
     public class InflowSpec @JvmOverloads constructor(
+        @Described("spheres per unit of time on average, > 0")
         public val rate: Double,
+        @Described("where they come; default all of the box")
         public val region: RegionSpec = RegionSpec(),
+        @Described("mean velocity; default [0, 0, 0]")
         public val velocity: List<Double> = listOf(0.0, 0.0, 0.0),
+        @Described("standard deviation of each component around it; default 0")
         public val sigma: Double = 0.0,
+        @Described(
+            "a face, `lowerX` to `upperZ`: spheres come through it at any time within the step, as a gas beyond " +
+                "it sends them; default none: they come in the whole region",
+        )
         public val through: String? = null,
+        @Described("what comes; default as the scenario's particles")
         public val particles: SupplySpec = SupplySpec(),
     ) : SourceSpec {
         override val takes: Boolean get() = false
@@ -111,11 +126,17 @@ public sealed interface SourceSpec {
     /** See [Reservoir]. */
     @Serializable
     @SerialName("reservoir")
+    @Described("brings and takes spheres as a large gas of elastic spheres in contact would")
     public class ReservoirSpec @JvmOverloads constructor(
+        @Described("of that gas, < 0.49")
         public val fillingFactor: Double,
+        @Described("of that gas, > 0, mass · speed²")
         public val temperature: Double,
+        @Described("where it is in contact; default all of the box")
         public val region: RegionSpec = RegionSpec(),
+        @Described("moves that are tried in a step; default as many as the region is to hold spheres")
         public val trials: Int? = null,
+        @Described("what comes, of equal radii; default as the scenario's particles")
         public val particles: SupplySpec = SupplySpec(),
     ) : SourceSpec {
         override fun settled(particles: ParticlesSpec?): ReservoirSpec =
@@ -168,9 +189,13 @@ public sealed interface SourceSpec {
  */
 @Serializable
 public class SupplySpec @JvmOverloads constructor(
+    @Described("distribution of radii, drawn; default those of the scenario's particles")
     public val sizes: SizesSpec? = null,
+    @Described("mass per volume; default that of the scenario's particles")
     public val density: Double? = null,
+    @Described("in place of `density`; default that of the scenario's particles")
     public val mass: Double? = null,
+    @Described("one of the scenario's; default the first, where there are any")
     public val material: String? = null,
 ) {
     /** The same with all that is left out. */
@@ -201,8 +226,11 @@ public class SupplySpec @JvmOverloads constructor(
 /** A part of space: from where to where along each axis; along what is left out, all of it. */
 @Serializable
 public class RegionSpec @JvmOverloads constructor(
+    @Described("[from, to]; default all of the box, or of space where it is open")
     public val x: List<Double>? = null,
+    @Described("[from, to]; default all of the box, or of space where it is open")
     public val y: List<Double>? = null,
+    @Described("[from, to]; default all of the box, or of space where it is open")
     public val z: List<Double>? = null,
 ) {
     /** By axis. */

@@ -1,5 +1,6 @@
 package daphnis.core.scenario
 
+import daphnis.core.input.Described
 import daphnis.core.input.ValueCheck
 import daphnis.core.surface.RoughnessSpec
 import daphnis.core.wall.SphereWall
@@ -16,15 +17,25 @@ import kotlin.math.PI
  */
 @Serializable
 @SerialName("sphere")
+@Described("a vessel, or a body that is fixed or moves as told")
 public class SphereWallSpec @JvmOverloads constructor(
+    @Described("a length")
     public val radius: Double,
+    @Described("x, y, z; default [0, 0, 0]")
     public val centre: List<Double> = NOWHERE,
+    @Described("`inside` or `outside`, where spheres are; default `inside`")
     public val room: RoomName = RoomName.INSIDE,
+    @Described("in [0, 1]; default that of the walls")
     override val restitution: Double? = null,
+    @Described("its surface, whatever `boundary.roughness` says; default smooth")
     override val roughness: RoughnessSpec? = null,
+    @Described("of a thermal wall, mass · speed²; default reflects")
     override val temperature: Double? = null,
+    @Described("radians per unit of time; acts by `roughness` alone; default [0, 0, 0]")
     public val angularVelocity: List<Double> = NOWHERE,
+    @Described("`steady` or `sine`; default rests")
     override val motion: WallMotionSpec? = null,
+    @Described("direction of the motion; default [0, 0, 1]")
     public val along: List<Double> = listOf(0.0, 0.0, 1.0),
 ) : WallSurfaceSpec {
     override val slides: Boolean get() = angularVelocity.any { it != 0.0 }

@@ -8,6 +8,7 @@ import daphnis.core.Stops
 import daphnis.core.TimeStep
 import daphnis.core.boundary.BoundaryConditions
 import daphnis.core.boundary.roomIn
+import daphnis.core.input.Described
 import daphnis.core.input.ValueCheck
 import daphnis.core.population.Population
 import kotlinx.serialization.SerialName
@@ -54,7 +55,14 @@ public sealed interface TimeStepSpec {
      */
     @Serializable
     @SerialName("automatic")
-    public class Automatic @JvmOverloads constructor(public val path: Double? = null) : TimeStepSpec {
+    @Described("chosen, where no force acts; ends at `until` and at intervals of outputs exactly")
+    public class Automatic @JvmOverloads constructor(
+        @Described(
+            "how far the fastest sphere moves along an axis in a step at most, relative to the mean flow; default " +
+                "chosen",
+        )
+        public val path: Double? = null,
+    ) : TimeStepSpec {
         override val isChosen: Boolean get() = true
 
         override fun settled(around: Surroundings, population: Population): TimeStepSpec =
@@ -82,7 +90,11 @@ public sealed interface TimeStepSpec {
 
     @Serializable
     @SerialName("fixed")
-    public class Fixed(override val dt: Double) : TimeStepSpec {
+    @Described("always `dt`")
+    public class Fixed(
+        @Described("length of a step, in units of time")
+        override val dt: Double,
+    ) : TimeStepSpec {
         override fun timeStep(
             scenario: ResolvedScenario,
             boundary: BoundaryConditions,
@@ -99,7 +111,11 @@ public sealed interface TimeStepSpec {
     /** [steps] equal steps per orbit of the frame. */
     @Serializable
     @SerialName("orbit-fraction")
-    public class OrbitFraction(public val steps: Double) : TimeStepSpec {
+    @Described("equal steps, so many per orbit of the frame")
+    public class OrbitFraction(
+        @Described("steps per orbit")
+        public val steps: Double,
+    ) : TimeStepSpec {
         override fun inTime(orbit: Double?, check: ValueCheck): TimeStepSpec {
             check.positive("timeStep.steps", steps)
             val length = orbit ?: check.fail("timeStep", "is part of an orbit; it needs a frame")
@@ -122,9 +138,13 @@ public sealed interface TimeStepSpec {
      */
     @Serializable
     @SerialName("cell-crossing")
+    @Described("as long as the fastest sphere takes for a part of a length along an axis")
     public class CellCrossing @JvmOverloads constructor(
+        @Described("part of `cell` that it crosses in one step; default 0.5")
         public val fraction: Double = 0.5,
+        @Described("a length; default the mean distance between spheres")
         public val cell: Double? = null,
+        @Described("longest step, in units of time")
         public val longest: Double,
     ) : TimeStepSpec {
         override fun settled(around: Surroundings, population: Population): TimeStepSpec {

@@ -1,5 +1,6 @@
 package daphnis.core.scenario
 
+import daphnis.core.input.Described
 import daphnis.core.input.ValueCheck
 import daphnis.core.wall.WallFace
 import kotlinx.serialization.Serializable
@@ -8,8 +9,14 @@ import java.util.function.DoubleFunction
 /** What a wall has of its own, see [WallFace]. */
 @Serializable
 public class WallFaceSpec @JvmOverloads constructor(
+    @Described("coefficient of restitution, in [0, 1]; default that of all walls")
     public val restitution: Double? = null,
+    @Described("how the wall moves along its axis; default rests")
     public val motion: WallMotionSpec? = null,
+    @Described(
+        "of a thermal wall, mass · speed²: spheres leave with the velocities of a gas of that temperature; " +
+            "default reflects",
+    )
     public val temperature: Double? = null,
 ) {
     /** Whether it gives energy to what meets it. */
@@ -37,11 +44,17 @@ public class WallFaceSpec @JvmOverloads constructor(
 /** What the lower and the upper wall across each axis have of their own. */
 @Serializable
 public class WallFacesSpec @JvmOverloads constructor(
+    @Described("the face at the least x; default as all")
     public val lowerX: WallFaceSpec? = null,
+    @Described("the face at the greatest x; default as all")
     public val upperX: WallFaceSpec? = null,
+    @Described("the face at the least y; default as all")
     public val lowerY: WallFaceSpec? = null,
+    @Described("the face at the greatest y; default as all")
     public val upperY: WallFaceSpec? = null,
+    @Described("the face at the least z; default as all")
     public val lowerZ: WallFaceSpec? = null,
+    @Described("the face at the greatest z; default as all")
     public val upperZ: WallFaceSpec? = null,
 ) {
     internal val named: List<WallFaceSpec?> get() = listOf(lowerX, upperX, lowerY, upperY, lowerZ, upperZ)

@@ -1,5 +1,6 @@
 package daphnis.core.scenario
 
+import daphnis.core.input.Described
 import daphnis.core.input.ValueCheck
 import daphnis.core.wall.WallMotion
 import kotlinx.serialization.SerialName
@@ -36,7 +37,11 @@ public sealed interface WallMotionSpec {
     /** At one speed: at time 0 at the face of the box. */
     @Serializable
     @SerialName("steady")
-    public class Steady(public val velocity: Double) : WallMotionSpec {
+    @Described("displacement v t from the face of the box at time t")
+    public class Steady(
+        @Described("v, positive towards greater coordinates")
+        public val velocity: Double,
+    ) : WallMotionSpec {
         override val moves: Boolean get() = velocity != 0.0
         override val isSmooth: Boolean get() = true
 
@@ -58,10 +63,15 @@ public sealed interface WallMotionSpec {
      */
     @Serializable
     @SerialName("piston")
+    @Described("that of a free body: the force and the impacts of spheres move it")
     public class Piston @JvmOverloads constructor(
+        @Described("at least ten times that of a sphere")
         public val mass: Double,
+        @Described("its weight included, positive towards greater coordinates; default 0")
         public val force: Double = 0.0,
+        @Described("displacement at the start; default 0")
         public val position: Double = 0.0,
+        @Described("at the start; default 0")
         public val velocity: Double = 0.0,
     ) : WallMotionSpec {
         override val moves: Boolean get() = true
@@ -84,9 +94,13 @@ public sealed interface WallMotionSpec {
     /** @property phase part of a cycle, at time 0 */
     @Serializable
     @SerialName("sine")
+    @Described("displacement A sin 2π(f t + φ)")
     public class Sine @JvmOverloads constructor(
+        @Described("A, a length")
         public val amplitude: Double,
+        @Described("f, cycles per unit of time")
         override val frequency: Double,
+        @Described("φ, part of a cycle; default 0")
         public val phase: Double = 0.0,
     ) : WallMotionSpec {
         override val isSmooth: Boolean get() = true
@@ -104,10 +118,18 @@ public sealed interface WallMotionSpec {
     /** @property rise part of a cycle that the way up takes */
     @Serializable
     @SerialName("sawtooth")
+    @Described(
+        "displacement from −A to A in the part `rise` of a cycle, and back in the rest; at −A where f t + φ is " +
+            "whole",
+    )
     public class Sawtooth @JvmOverloads constructor(
+        @Described("A, a length")
         public val amplitude: Double,
+        @Described("f, cycles per unit of time")
         override val frequency: Double,
+        @Described("φ, part of a cycle; default 0")
         public val phase: Double = 0.0,
+        @Described("part of a cycle in which it rises; default 0.5")
         public val rise: Double = 0.5,
     ) : WallMotionSpec {
         override val moves: Boolean get() = amplitude != 0.0
@@ -125,9 +147,13 @@ public sealed interface WallMotionSpec {
 
     @Serializable
     @SerialName("bi-parabolic")
+    @Described("two parabolas a cycle, like a sine, with accelerations ±32 A f²")
     public class BiParabolic @JvmOverloads constructor(
+        @Described("A, a length")
         public val amplitude: Double,
+        @Described("f, cycles per unit of time")
         override val frequency: Double,
+        @Described("φ, part of a cycle; default 0")
         public val phase: Double = 0.0,
     ) : WallMotionSpec {
         override val moves: Boolean get() = amplitude != 0.0

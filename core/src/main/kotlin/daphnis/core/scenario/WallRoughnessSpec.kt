@@ -1,5 +1,6 @@
 package daphnis.core.scenario
 
+import daphnis.core.input.Described
 import daphnis.core.input.ValueCheck
 import daphnis.core.surface.Roughness
 import daphnis.core.surface.RoughnessSpec
@@ -9,12 +10,19 @@ import java.util.function.DoubleFunction
 /** Surfaces of walls: of [all] that are not named, and of the lower and upper face across each axis. */
 @Serializable
 public class WallRoughnessSpec @JvmOverloads constructor(
+    @Described("of the faces that are not named, without `momentFactor`; default smooth")
     public val all: RoughnessSpec? = null,
+    @Described("of the face at the least x; default `all`")
     public val lowerX: RoughnessSpec? = null,
+    @Described("of the face at the greatest x; default `all`")
     public val upperX: RoughnessSpec? = null,
+    @Described("of the face at the least y; default `all`")
     public val lowerY: RoughnessSpec? = null,
+    @Described("of the face at the greatest y; default `all`")
     public val upperY: RoughnessSpec? = null,
+    @Described("of the face at the least z; default `all`")
     public val lowerZ: RoughnessSpec? = null,
+    @Described("of the face at the greatest z; default `all`")
     public val upperZ: RoughnessSpec? = null,
 ) {
     private val named: List<RoughnessSpec?> get() = listOf(lowerX, upperX, lowerY, upperY, lowerZ, upperZ)

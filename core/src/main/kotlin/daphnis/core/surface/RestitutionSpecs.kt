@@ -1,5 +1,6 @@
 package daphnis.core.surface
 
+import daphnis.core.input.Described
 import daphnis.core.input.Quantities
 import daphnis.core.input.Quantities.Companion.number
 import kotlinx.serialization.SerialName
@@ -8,7 +9,11 @@ import kotlinx.serialization.Serializable
 /** See [ConstantRestitution]. */
 @Serializable
 @SerialName("constant")
-public class ConstantRestitutionSpec(public val coefficient: Double) : RestitutionSpec {
+@Described("the same for all impacts")
+public class ConstantRestitutionSpec(
+    @Described("in [0, 1]")
+    public val coefficient: Double,
+) : RestitutionSpec {
     override val constant: Double get() = coefficient
 
     override fun law(place: LawPlace): ContactLaw {
@@ -22,8 +27,11 @@ public class ConstantRestitutionSpec(public val coefficient: Double) : Restituti
 /** See [BridgesRestitution]. */
 @Serializable
 @SerialName("bridges")
+@Described("Bridges' law of ice: `prefactor` v^`exponent`, at most 1")
 public data class BridgesSpec @JvmOverloads constructor(
+    @Described("with v in cm/s; default 0.34")
     public val prefactor: Double = BridgesRestitution.LEWIS_PREFACTOR,
+    @Described("a number; default −0.234")
     public val exponent: Double = BridgesRestitution.EXPONENT,
 ) : RestitutionSpec {
     override fun law(place: LawPlace): ContactLaw {
@@ -42,7 +50,11 @@ public data class BridgesSpec @JvmOverloads constructor(
  */
 @Serializable
 @SerialName("borderies")
-public class BorderiesSpec(public val criticalSpeed: Double) : RestitutionSpec {
+@Described("Borderies' law")
+public class BorderiesSpec(
+    @Described("in cm/s")
+    public val criticalSpeed: Double,
+) : RestitutionSpec {
     override fun law(place: LawPlace): ContactLaw {
         place.check.positive("${place.key}.criticalSpeed", criticalSpeed)
         return BorderiesRestitution(criticalSpeed, place.cmPerSecond)
@@ -58,9 +70,13 @@ public class BorderiesSpec(public val criticalSpeed: Double) : RestitutionSpec {
  */
 @Serializable
 @SerialName("step")
+@Described("one coefficient below a speed, another from there on")
 public class StepRestitutionSpec @JvmOverloads constructor(
+    @Described("in cm/s")
     public val speed: Double,
+    @Described("from that speed on, in [0, 1]")
     public val coefficient: Double,
+    @Described("below that speed, in [0, 1]; default 1")
     public val below: Double = 1.0,
 ) : RestitutionSpec {
     override val atRest: Double get() = below
@@ -83,7 +99,11 @@ public class StepRestitutionSpec @JvmOverloads constructor(
  */
 @Serializable
 @SerialName("table")
-public class TableRestitutionSpec(public val points: List<List<Double>>) : RestitutionSpec {
+@Described("linear between points")
+public class TableRestitutionSpec(
+    @Described("pairs of a speed in cm/s and a coefficient, each speed larger than the one before")
+    public val points: List<List<Double>>,
+) : RestitutionSpec {
     override val atRest: Double get() = points[0][1]
 
     override fun law(place: LawPlace): ContactLaw {
@@ -125,10 +145,15 @@ public class TableRestitutionSpec(public val points: List<List<Double>>) : Resti
  */
 @Serializable
 @SerialName("viscoelastic")
+@Described("viscoelastic spheres")
 public class ViscoelasticSpec @JvmOverloads constructor(
+    @Described("of two equal spheres that meet with `speed`; in `contacts` of one that meets one of the other material")
     public val coefficient: Double,
+    @Described("in cm/s")
     public val speed: Double,
+    @Described("of these two, a length; default that of all spheres, where these are equal")
     public val radius: Double? = null,
+    @Described("of these two; default what `particles` say of a sphere of that radius")
     public val mass: Double? = null,
 ) : RestitutionSpec {
     override val losesAlways: Boolean get() = coefficient < 1

@@ -1,5 +1,6 @@
 package daphnis.core.surface
 
+import daphnis.core.input.Described
 import daphnis.core.input.ValueCheck
 import daphnis.core.scenario.all
 import kotlinx.serialization.SerialName
@@ -31,7 +32,11 @@ public sealed interface RoughnessSpec {
     /** Smooth spheres that spin all the same, for walls that are rough; a wall that is smooth where others are not. */
     @Serializable
     @SerialName("smooth")
-    public class Smooth @JvmOverloads constructor(override val momentFactor: Double? = null) : RoughnessSpec {
+    @Described("spheres spin and nothing changes it but rough walls")
+    public class Smooth @JvmOverloads constructor(
+        @Described("moment of inertia over m r², at most 2/3, of discs 1; default 0.4, of discs 0.5")
+        override val momentFactor: Double? = null,
+    ) : RoughnessSpec {
         override val isSmooth: Boolean get() = true
 
         override fun law(key: String, check: ValueCheck): Roughness? = null
@@ -42,8 +47,11 @@ public sealed interface RoughnessSpec {
     /** @property coefficient β */
     @Serializable
     @SerialName("constant")
+    @Described("β is the same in every impact")
     public class Constant @JvmOverloads constructor(
+        @Described("β in [−1, 1]: −1 smooth, 0 ends sliding, 1 loses nothing")
         public val coefficient: Double,
+        @Described("moment of inertia over m r², at most 2/3, of discs 1; default 0.4, of discs 0.5")
         override val momentFactor: Double? = null,
     ) : RoughnessSpec {
         override val loses: Boolean get() = abs(coefficient) < 1
@@ -63,9 +71,13 @@ public sealed interface RoughnessSpec {
      */
     @Serializable
     @SerialName("coulomb")
+    @Described("β is `sticking` unless the surfaces slide for want of friction")
     public class Coulomb @JvmOverloads constructor(
+        @Described("≥ 0")
         public val friction: Double,
+        @Described("in [−1, 1]")
         public val sticking: Double,
+        @Described("moment of inertia over m r², at most 2/3, of discs 1; default 0.4, of discs 0.5")
         override val momentFactor: Double? = null,
     ) : RoughnessSpec {
         override val loses: Boolean get() = friction > 0 && sticking > -1

@@ -1,5 +1,6 @@
 package daphnis.core.swap
 
+import daphnis.core.input.Described
 import daphnis.core.input.Quantities
 import daphnis.core.input.ValueCheck
 import kotlinx.serialization.Serializable
@@ -10,7 +11,13 @@ import kotlinx.serialization.Serializable
  * @property rate pairs drawn per sphere and unit of time
  */
 @Serializable
-public class SwapsSpec(public val rate: Double) {
+public class SwapsSpec(
+    @Described(
+        "pairs drawn per sphere and unit of time, > 0; two alike are among them, and stay; at most 1000 per " +
+            "sphere in a step",
+    )
+    public val rate: Double,
+) {
     /**
      * The rule that stands at [key].
      *

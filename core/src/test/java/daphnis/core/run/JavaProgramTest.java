@@ -35,7 +35,6 @@ import org.junit.jupiter.api.io.TempDir;
 class JavaProgramTest {
     @TempDir Path home;
 
-    // example: javaProgram
     /** Spheres on springs in a ball, with a law, a force and a boundary of their own. */
     static class Springs implements Program {
         final Energies energies = new Energies();
@@ -109,7 +108,6 @@ class JavaProgramTest {
             return all.stream().mapToDouble(Double::doubleValue).toArray();
         }
     }
-    // end
 
     private final Springs whole = new Springs();
 

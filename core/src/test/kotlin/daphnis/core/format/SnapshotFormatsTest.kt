@@ -133,7 +133,7 @@ class SnapshotFormatsTest {
             for (ending in format.extensions) assertTrue("`.$ending`" in row) { row }
             assertTrue(row.endsWith("| ${masses[format.keeps.masses]} |")) { row }
         }
-        val guide = Repository.read("docs/guide.md")
+        val guide = Repository.read("docs/runs.md")
         for (format in SnapshotFormats.writable) assertTrue("--format ${format.word} " in guide) { format.word }
     }
 }

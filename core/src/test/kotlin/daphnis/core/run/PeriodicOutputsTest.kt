@@ -9,7 +9,6 @@ import daphnis.core.scenario.ScenarioJson
 import kotlinx.serialization.ExperimentalSerializationApi
 import kotlinx.serialization.descriptors.elementNames
 import kotlinx.serialization.json.Json
-import kotlinx.serialization.json.jsonObject
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertFalse
 import org.junit.jupiter.api.Assertions.assertThrows
@@ -23,7 +22,6 @@ import kotlin.io.path.listDirectoryEntries
 import kotlin.io.path.name
 
 private val COURSE = Course(12.0, 0.0, 1.2)
-private val EVERY_KEY = Json { encodeDefaults = true }
 
 /** What is true of every output that a key asks for, and what the docs say of it. */
 @OptIn(ExperimentalSerializationApi::class)
@@ -32,8 +30,6 @@ class PeriodicOutputsTest {
     lateinit var home: Path
 
     private val all = PeriodicOutputs.all
-
-    private val defaults = EVERY_KEY.encodeToJsonElement(OutputSpec.serializer(), OutputSpec()).jsonObject
 
     private fun scenario(steps: Int) = tableScenario(*all.map { setting(it, steps) }.toTypedArray())
 
@@ -56,16 +52,9 @@ class PeriodicOutputsTest {
     }
 
     @Test
-    fun `the reference has a row for every key of output, with its default`() {
-        val rows = rows("docs/scenario.md", "## Output")
-        assertEquals(defaults.keys, rows.keys)
-        for ((key, cells) in rows) assertEquals("${defaults[key]}".replace("null", "none"), cells[3]) { key }
-    }
-
-    @Test
-    fun `the guide has a row for every file and folder`() {
-        val told = rows("docs/guide.md", "## The run directory").keys
-        for (file in all.flatMap { it.files }) assertTrue(file in told) { "docs/guide.md: no row for $file" }
+    fun `the page of runs has a row for every file and folder`() {
+        val told = rows("docs/runs.md", "## The run directory").keys
+        for (file in all.flatMap { it.files }) assertTrue(file in told) { "docs/runs.md: no row for $file" }
         for (folder in PeriodicOutputs.folders) assertTrue(told.any { it.startsWith("$folder/") }) { folder }
     }
 

@@ -1,6 +1,5 @@
 package daphnis.core.scenario
 
-import daphnis.core.Repository
 import daphnis.core.boundary.Box
 import daphnis.core.boundary.everyBoundary
 import daphnis.core.input.ValueCheck
@@ -14,26 +13,12 @@ import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Test
 
-/** A boundary that scenarios can name is in the reference and under the contract of boundaries. */
+/** A boundary that scenarios can name is under the contract of boundaries. */
 @OptIn(ExperimentalSerializationApi::class)
 class BoundarySpecTest {
     private val kinds: List<SerialDescriptor> = BoundarySpec.serializer().descriptor.let { sealed ->
         assertEquals(PolymorphicKind.SEALED, sealed.kind)
         sealed.getElementDescriptor(1).elementDescriptors.toList()
-    }
-
-    @Test
-    fun `the reference has a row for every boundary, with its keys`() {
-        val rows = Repository.read("docs/scenario.md").lines()
-            .dropWhile { !it.startsWith("| `boundary.type` |") }.drop(2).takeWhile { it.startsWith("|") }
-            .associate { row -> row.split('|').map { it.trim() }.let { it[1].trim('`') to it[2] } }
-        assertEquals(kinds.map { it.serialName }.toSet(), rows.keys)
-        for (kind in kinds) {
-            for (k in 0 until kind.elementsCount) {
-                val key = kind.getElementName(k)
-                assertTrue("`$key`" in rows.getValue(kind.serialName)) { "${kind.serialName}: $key" }
-            }
-        }
     }
 
     @Test

@@ -1,6 +1,5 @@
 package daphnis.core.scenario
 
-import daphnis.core.Repository
 import daphnis.core.input.InputException
 import kotlinx.serialization.ExperimentalSerializationApi
 import kotlinx.serialization.descriptors.elementDescriptors
@@ -64,19 +63,5 @@ class ForceConstantTest {
         val moon = """{"type":"satellite","massRatio":1e-24,"x":30,"y":0"""
         setup("$moon}", "units.lengthInMetres=1")
         assertTrue("goes with mass" in refused("$moon,\"constant\":1}", "units.lengthInMetres=1"))
-    }
-
-    @Test
-    fun `the guide names every key of every force`() {
-        val section = Repository.read("docs/scenario.md").substringAfter("\n## Forces\n").substringBefore("\n## ")
-        for ((type, names) in keys) {
-            val row = section.lines().single { it.startsWith("| `$type` |") }
-            val table = if ("see below" in row) {
-                section.substringAfter("| key of `$type` |").substringBefore("\n\n")
-            } else {
-                row
-            }
-            assertEquals(emptyList<String>(), names.filter { "`$it`" !in table }) { type }
-        }
     }
 }

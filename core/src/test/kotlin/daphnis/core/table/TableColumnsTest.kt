@@ -51,11 +51,11 @@ class TableColumnsTest {
     }
 
     @Test
-    fun `the guide has a table for each file, with every column and its dimension`() {
-        val guide = Repository.read("docs/guide.md").lines()
+    fun `the page of columns has a table for each file, with every column and its dimension`() {
+        val guide = Repository.read("docs/columns.md").lines()
         for (table in tables) {
             val head = guide.indexOf("| `${table.file}` | dimension | what |")
-            assertTrue(head >= 0) { "docs/guide.md has no table of the columns of ${table.file}" }
+            assertTrue(head >= 0) { "docs/columns.md has no table of the columns of ${table.file}" }
             val rows = guide.drop(head + 2).takeWhile { it.startsWith("|") }.map { it.split('|') }
             val told = rows.flatMap { cells ->
                 Regex("`(\\w+)`").findAll(cells[1]).map { it.groupValues[1] to cells[2].trim() }

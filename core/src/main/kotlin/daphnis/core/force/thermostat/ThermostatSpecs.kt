@@ -4,6 +4,7 @@ import daphnis.core.force.Force
 import daphnis.core.force.ForcePlace
 import daphnis.core.force.ForceSpec
 import daphnis.core.force.WhiteHeating
+import daphnis.core.input.Described
 import daphnis.core.input.Quantities
 import daphnis.core.input.Quantities.Companion.number
 import daphnis.core.population.Population
@@ -23,10 +24,15 @@ import kotlinx.serialization.Serializable
 @OptIn(ExperimentalSerializationApi::class)
 @Serializable
 @SerialName("white-noise")
+@Described("a thermostat: each particle is accelerated by noise of its own")
 public class WhiteNoiseSpec @JvmOverloads constructor(
+    @Described("ξ², length²/time³; of this and `temperature` exactly one")
     @EncodeDefault(EncodeDefault.Mode.NEVER) public val intensity: Double? = null,
+    @Described("T, mass · speed², of Langevin's bath: ξ² = 2 γ T/m")
     @EncodeDefault(EncodeDefault.Mode.NEVER) public val temperature: Double? = null,
+    @Described("γ, 1/time; default 0")
     public val drag: Double = 0.0,
+    @Described("whether the sum of the kicks is taken back; default false")
     public val conserveMomentum: Boolean = false,
 ) : ForceSpec {
     override val actsOnDiscs: Boolean get() = true
@@ -74,9 +80,13 @@ public class WhiteNoiseSpec @JvmOverloads constructor(
  */
 @Serializable
 @SerialName("andersen")
+@Described("a thermostat: each particle gets a new velocity out of a bath at this rate")
 public class AndersenSpec @JvmOverloads constructor(
+    @Described("per particle, 1/time")
     public val rate: Double,
+    @Described("of the bath, mass · speed²")
     public val temperature: Double,
+    @Described("whether the sum of the changes is taken back; default false")
     public val conserveMomentum: Boolean = false,
 ) : ForceSpec {
     override val actsOnDiscs: Boolean get() = true
@@ -101,8 +111,13 @@ public class AndersenSpec @JvmOverloads constructor(
  */
 @Serializable
 @SerialName("rescaling")
-public class RescalingSpec @JvmOverloads constructor(public val temperature: Double, public val time: Double = 0.0) :
-    ForceSpec {
+@Described("a thermostat: velocities are scaled to this temperature; conserves momentum")
+public class RescalingSpec @JvmOverloads constructor(
+    @Described("mass · speed²")
+    public val temperature: Double,
+    @Described("within which it is reached; 0 is at each step; default 0")
+    public val time: Double = 0.0,
+) : ForceSpec {
     override val actsOnDiscs: Boolean get() = true
 
     override fun force(place: ForcePlace): Force {
