@@ -59,9 +59,8 @@ internal class Page(val path: Path) {
         private val INLINE = Regex("""`([^`]+)`""")
 
         /** All pages, those of decisions and of changes too, which tell of what was. */
-        val all: List<Page> = listOf("", "python", "docs", "docs/examples", "docs/adr", "docs/releases").flatMap {
-            pages(it)
-        }
+        val all: List<Page> =
+            listOf("", "python", "docs", "docs/examples", "docs/reference", "docs/adr", "docs/releases").flatMap { pages(it) }
 
         /** Those which say what is. */
         val current: List<Page> = all.filter { !it.name.startsWith("docs/adr/") && it.name != "CHANGELOG.md" }
