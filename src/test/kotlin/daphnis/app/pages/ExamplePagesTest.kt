@@ -80,7 +80,8 @@ internal class Left(folder: Path) {
     private val words: Set<String> by lazy {
         val tables = files.filter { "$it".endsWith(".csv") && Files.size(it) < LARGE }.map { it.readText() }
         val pages = listOf("docs/analysis.md", "docs/guide.md", "docs/scenario.md").map { Repository.read(it) }
-        (tables + pages).flatMap { text -> KEY.findAll(text).map { it.value } }.toSet()
+        val reference = listOf("numbers", "tables").map { Repository.read("docs/reference/$it.md") }
+        (tables + pages + reference).flatMap { text -> KEY.findAll(text).map { it.value } }.toSet()
     }
 
     /** Whether [code] of a page is the name of a file that was left or of a known key, or neither kind of name. */

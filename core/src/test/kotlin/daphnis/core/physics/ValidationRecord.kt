@@ -72,7 +72,7 @@ internal class ValidationRecord(val groups: List<ValidationGroup>) {
         val all = groups.flatMap { it.rows }
         val bad = groups.flatMap { group -> group.rows.filter { it.ok == "no" }.map { group.group to it } }
         val list = bad.joinToString("") { (group, row) ->
-            "- ${group}: ${row.quantity.replace("|", "\\|")}, ${row.measured} and not ${row.target}.\n"
+            "- $group: ${row.quantity.replace("|", "\\|")}, ${row.measured} and not ${row.target}.\n"
         }
         val head = "${all.size} numbers, ${all.count { it.ok == "ok" }} within their bound and ${bad.size} not; " +
             "of the others nothing is asked.\n\n$list"
@@ -103,7 +103,13 @@ internal class ValidationRecord(val groups: List<ValidationGroup>) {
         val lines = ArrayList<String>()
         for (word in text.split(' ')) {
             val last = lines.lastOrNull()
-            if (last == null || last.length + 1 + word.length > WIDTH) lines += word else lines[lines.lastIndex] += " $word"
+            if (last == null ||
+                last.length + 1 + word.length > WIDTH
+            ) {
+                lines += word
+            } else {
+                lines[lines.lastIndex] += " $word"
+            }
         }
         return lines.joinToString("\n")
     }

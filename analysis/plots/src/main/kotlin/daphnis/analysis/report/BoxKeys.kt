@@ -72,7 +72,10 @@ internal object BoxKeys {
             ReportKey("reduced_temperature", "T* = T/(γσ)²"),
             ReportKey("reduced_pressure", "p* = p/(ρ_p σ²γ²)"),
             ReportKey("reduced_shear_stress", "τ* = −P_xy/(ρ_p σ²γ²)"),
-            ReportKey("normal_stress_xx", "P_xx/p along the flow, p the mean normal stress: they add up to 3, of discs 2"),
+            ReportKey(
+                "normal_stress_xx",
+                "P_xx/p along the flow, p the mean normal stress: they add up to 3, of discs 2",
+            ),
             ReportKey("normal_stress_yy", "P_yy/p across the flow"),
             ReportKey("normal_stress_zz", "P_zz/p along the vorticity", only = "spheres"),
             ReportKey("shear_stress_ratio", "−P_xy/p"),
@@ -119,7 +122,12 @@ internal object BoxKeys {
         "Order of neighbours",
         "Periodic boxes with φ ≥ 0.45; of discs with ν ≥ 0.6",
         listOf(
-            ReportKey("bond_order_q4", "q_l = (4π/(2l + 1) Σ_m |⟨Y_lm⟩|²)^½ over the neighbours, l = 4", "", STEINHARDT),
+            ReportKey(
+                "bond_order_q4",
+                "q_l = (4π/(2l + 1) Σ_m |⟨Y_lm⟩|²)^½ over the neighbours, l = 4",
+                "",
+                STEINHARDT,
+            ),
             ReportKey("bond_order_q6", "the same, l = 6", "", STEINHARDT),
             ReportKey(
                 "bond_order_average_q6",
@@ -176,11 +184,16 @@ internal object BoxKeys {
                 "self_diffusion_infinite_box",
                 "D∞ = D + 2.837297 kT/(6π (η + ρD) L) of an infinite box, L the edge, η of Enskog",
                 AREA,
-                "Yeh & Hummer 2004, J. Phys. Chem. B 108, 15873, of liquids; ρD as in a gas a particle leaves the flow " +
-                    "around it (Ernst, Hauge & van Leeuwen 1970, Phys. Rev. Lett. 25, 1254)",
+                "Yeh & Hummer 2004, J. Phys. Chem. B 108, 15873, of liquids; ρD as in a gas a particle leaves the " +
+                    "flow around it (Ernst, Hauge & van Leeuwen 1970, Phys. Rev. Lett. 25, 1254)",
                 "elastic gas of equal spheres in a cube, φ ≤ 0.4",
             ),
-            ReportKey("self_diffusion_x", "D_x, half the slope of ⟨(x(t₀ + t) − x(t₀))²⟩ over origins t₀", AREA, EINSTEIN),
+            ReportKey(
+                "self_diffusion_x",
+                "D_x, half the slope of ⟨(x(t₀ + t) − x(t₀))²⟩ over origins t₀",
+                AREA,
+                EINSTEIN,
+            ),
             ReportKey("self_diffusion_y", "D_y", AREA, EINSTEIN),
             ReportKey("self_diffusion_z", "D_z", AREA, EINSTEIN),
             ReportKey(

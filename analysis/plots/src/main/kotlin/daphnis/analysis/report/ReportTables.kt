@@ -22,7 +22,8 @@ internal object ReportTables {
     private val streamlines = listOf(
         "slab, group" to "slab of azimuth, group of equal count in it, from 0",
         "count, mean_x, mean_y, min_x, max_x, guiding_x" to "of the group",
-        "optical_depth" to "Σ π r²/(Δx Δy); Δx between the middles of neighbouring groups, at their mean x or guiding " +
+        "optical_depth" to
+            "Σ π r²/(Δx Δy); Δx between the middles of neighbouring groups, at their mean x or guiding " +
             "centre; at the ends of a periodic patch the neighbour is the image; without the bias of 1/Δx, at most " +
             "5/(12 n) of n particles",
         "mean_e, mean_i" to "⟨e⟩, ⟨i⟩, lengths",
@@ -48,7 +49,8 @@ internal object ReportTables {
         "wx, wy, wz" to "spin ω = I⁻¹ L about the centre, with the spins of rough spheres; relative to Hill's frame",
         "temperature" to "⟨c²⟩/3, of discs ⟨c²⟩/2, without the motion of the centre and the rigid rotation, over the " +
             "degrees of freedom that are left",
-        "of one that spans the box" to "centre, R_g, filling factor and spin are empty, the temperature is around its " +
+        "of one that spans the box" to
+            "centre, R_g, filling factor and spin are empty, the temperature is around its " +
             "mean velocity",
     )
 
@@ -78,17 +80,23 @@ internal object ReportTables {
                 "⟨c_a c_b⟩ without the imposed flow, over the particles of all states together, by number",
         ),
         ReportTable("impact-speeds", "share of all collisions per unit of ln v_n, by impact speed"),
-        ReportTable("flow", "mean velocity in cells of the x-y plane, without the imposed flow"),
+        ReportTable("flow", "mean velocity in cells of the x-y plane"),
         ReportTable("compression", "filling factor and pressure Z of spheres that grow, beside the fluid's"),
         ReportTable("exchanged", "number of particles, and what came and left by source, over the run"),
         ReportTable(
             "size-classes",
-            "count, mean radius, σ_x, σ_y, σ_z, c, by number around the mean flow and the centre of mass of all, and H " +
-                "in Hill's frame, by size",
+            "count, mean radius, σ_x, σ_y, σ_z, c, by number around the mean flow and the centre of mass of all, and " +
+                "H in Hill's frame, by size",
         ),
-        ReportTable("materials", "number, mean radius and partial temperature of each material; spins of rough spheres"),
+        ReportTable(
+            "materials",
+            "number, mean radius and partial temperature of each material; spins of rough spheres",
+        ),
         ReportTable("spins-by-size", "rms spin, mean spin and both partial temperatures by size"),
-        ReportTable("spin-distribution", "densities of s = √(I/T) (ω − ⟨ω⟩) by component and modulus, and a Maxwellian"),
+        ReportTable(
+            "spin-distribution",
+            "densities of s = √(I/T) (ω − ⟨ω⟩) by component and modulus, and a Maxwellian",
+        ),
     )
 
     private val rings = listOf(
@@ -109,7 +117,10 @@ internal object ReportTables {
         ReportTable("moonlet-map", "Σ/⟨Σ⟩ − 1 around the first moonlet"),
         ReportTable("moonlet-wake", "Σ/⟨Σ⟩ − 1 along the orbit of the moonlet"),
         ReportTable("wakes", "pitch angle and radial spacing of wakes, or the pitch of the central ridge"),
-        ReportTable("autocorrelation", "A = ⟨δΣ(r) δΣ(r + l)⟩/⟨Σ⟩² of the surface density (Salo 1995, Icarus 117, 287)"),
+        ReportTable(
+            "autocorrelation",
+            "A = ⟨δΣ(r) δΣ(r + l)⟩/⟨Σ⟩² of the surface density (Salo 1995, Icarus 117, 287)",
+        ),
         ReportTable("autocorrelation-x", "the same along x, of a thin patch"),
         ReportTable("occultation", "share T of the rays that pass, by x: last state and mean"),
         ReportTable("occultation-grid", "T and −sin B · ln T by elevation and azimuth"),
@@ -117,7 +128,10 @@ internal object ReportTables {
         ReportTable("occultation-scan", "light along tracks of the last state"),
         ReportTable("occultation-scan-moments", "one row, of the footprints of all tracks and states", moments),
         ReportTable("occultation-autocorrelation", "autocorrelation of the light along the path"),
-        ReportTable("occultation-observed", "the patch along the observed lines, residuals, and each over its joint error"),
+        ReportTable(
+            "occultation-observed",
+            "the patch along the observed lines, residuals, and each over its joint error",
+        ),
         ReportTable(
             "brightness-grid",
             "T, I/F of single scattering and of all orders by elevation and azimuth of the eye, over a whole turn",
@@ -130,7 +144,10 @@ internal object ReportTables {
     private val fluids = listOf(
         ReportTable("mean-square-displacement", "displacements over all lags; ± where there are five blocks of time"),
         ReportTable("velocity-autocorrelation", "C(t), C(t)/C(0) and D(t), the integral up to t"),
-        ReportTable("pair-correlation", "g(r), pairs at a distance over pairs expected without correlation; theory where there is one"),
+        ReportTable(
+            "pair-correlation",
+            "g(r), pairs at a distance over pairs expected without correlation; theory where there is one",
+        ),
         ReportTable(
             "structure-factor",
             "S(k) = |Σ exp(i k·r)|²/N, averaged over directions; theory where there is one",
@@ -138,15 +155,15 @@ internal object ReportTables {
         ReportTable("pair-correlation-by-KIND", "g_ab(r) of each two materials or sizes, up to three"),
         ReportTable(
             "structure-factor-by-KIND",
-            "S_ab(k) = Re Σ_a exp(i k·r) Σ_b exp(−i k·r)/√(N_a N_b) of each two (Ashcroft & Langreth 1967, Phys. Rev. " +
-                "156, 685)",
+            "S_ab(k) = Re Σ_a exp(i k·r) Σ_b exp(−i k·r)/√(N_a N_b) of each two (Ashcroft & Langreth 1967, Phys. " +
+                "Rev. 156, 685)",
         ),
         ReportTable("contact-values", "g_ab at contact of each two, beside theory"),
         ReportTable("insertion", "−ln of the probability that a sphere fits in, by diameter, beside theory"),
         ReportTable(
             "self-scattering",
-            "F_s(k, t) = ⟨cos k·Δr(t)⟩, k at the peak of S(k), and α₂(t) = d ⟨Δr⁴⟩/((d + 2) ⟨Δr²⟩²) − 1 (Rahman 1964, " +
-                "Phys. Rev. 136, A405)",
+            "F_s(k, t) = ⟨cos k·Δr(t)⟩, k at the peak of S(k), and α₂(t) = d ⟨Δr⁴⟩/((d + 2) ⟨Δr²⟩²) − 1 (Rahman " +
+                "1964, Phys. Rev. 136, A405)",
         ),
         ReportTable(
             "intermediate-scattering",
@@ -167,8 +184,8 @@ internal object ReportTables {
         ReportTable("clusters", "each cluster of the last state, the largest first", clusters),
         ReportTable(
             "cluster-sizes",
-            "clusters of a state in bins of sizes, 1 to 10 by themselves, then ten for each factor of ten, with ±; and " +
-                "those of the last state",
+            "clusters of a state in bins of sizes, 1 to 10 by themselves, then ten for each factor of ten, with ±; " +
+                "and those of the last state",
         ),
         ReportTable("cluster-history", "all numbers of clusters over the run"),
     )

@@ -134,7 +134,11 @@ internal object RingKeys {
         "Waves",
         "Hill's frame with `modes.csv`",
         listOf(
-            ReportKey("wave_wavelength", "wavelength of the mode with the strongest v_x in the averaged time", "length"),
+            ReportKey(
+                "wave_wavelength",
+                "wavelength of the mode with the strongest v_x in the averaged time",
+                "length",
+            ),
             ReportKey("wave_rms_vx", "its rms v_x, momentum density over the mean surface density", "r Ω"),
             ReportKey("wave_frequency", "its frequency; none of a harmonic", "Ω"),
             ReportKey("wave_direction", "part of its power outward less that inward: 1, 0 standing, −1"),

@@ -122,7 +122,12 @@ internal object NumberKeys {
 
     /** What is declared has all keys, each once, beside those that have a name or number of the run in them. */
     fun assertDeclared() {
-        assertEquals(all.sorted(), ReportKeys.all.map { it.key }.filter { key -> key.none { it.isUpperCase() } }.sorted())
+        assertEquals(
+            all.sorted(),
+            ReportKeys.all.map {
+                it.key
+            }.filter { key -> key.none { it.isUpperCase() } }.sorted(),
+        )
     }
 
     /** The keys of the run in [path], in the order of the file; all of them and its tables are declared. */
