@@ -100,7 +100,11 @@ internal object ReportTables {
     )
 
     private val rings = listOf(
-        ReportTable("streamlines-KEY", "a row for each group, sorted by x or by guiding centre", streamlines),
+        ReportTable(
+            "streamlines-KEY",
+            "a row for each group, sorted by x (`-x`) or by guiding centre (`-guiding-centre`)",
+            streamlines,
+        ),
         ReportTable(
             "waves",
             "all numbers of all modes m: 2 ⟨(q − ⟨q⟩) exp(−i k x)⟩ of surface density, v_x, v_y and temperature by " +

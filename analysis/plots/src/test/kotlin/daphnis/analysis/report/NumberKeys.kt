@@ -109,6 +109,7 @@ internal object NumberKeys {
         "cluster_spanning_share",
         "largest_cluster",
     )
+    private val SOURCES = listOf("particles", "particle_fluctuations")
     private const val DISCS = "area_fraction"
     private const val WALLS = "wall_work_over_dissipation"
     private const val PISTON = "volume"
@@ -117,7 +118,7 @@ internal object NumberKeys {
     private val all =
         listOf(
             RING, PERTURBED, ROUGH_GAS, SELF_GRAVITY, SHEARED, MOONLET, SATELLITE, DIFFUSION, WAVES, FLUID, ORDER,
-            CLUSTERS, single,
+            CLUSTERS, SOURCES, single,
         ).flatten().toSet()
 
     /** What is declared has all keys, each once, beside those that have a name or number of the run in them. */

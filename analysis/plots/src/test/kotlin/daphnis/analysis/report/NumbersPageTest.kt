@@ -1,10 +1,15 @@
 package daphnis.analysis.report
 
 import daphnis.core.GeneratedPage
+import daphnis.core.Repository
 import org.junit.jupiter.api.Assertions.assertEquals
 import org.junit.jupiter.api.Assertions.assertNull
+import org.junit.jupiter.api.Assertions.assertTrue
 import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
+import java.nio.file.Files
+import kotlin.io.path.name
+import kotlin.io.path.readText
 
 /** The pages of the numbers and of the tables of a report are what their declarations say. */
 @Tag("jdk-neutral")
@@ -65,7 +70,25 @@ class NumbersPageTest {
         assertNull(ReportTables.of("profile"))
     }
 
+    @Test
+    fun `every table that the sources name is declared, and they name every one that is`() {
+        val folder = Repository.root.resolve("analysis/plots/src/main/kotlin/daphnis/analysis/report")
+        val sources = Files.list(folder).use { all -> all.filter { it.name != "ReportTables.kt" }.toList() }
+            .joinToString("\n") { it.readText() }
+        val named = Regex("""\bTable\(\s*"([a-z-]+)"""").findAll(sources).map { it.groupValues[1] }.toSet()
+        assertTrue(named.size > 30) { "$named" }
+        assertEquals(emptyList<String>(), named.filter { ReportTables.of(it) == null })
+        val declared = ReportTables.groups.values.flatten().map { it.name }
+        val unnamed = declared.filter { name ->
+            val begin = name.takeWhile { !it.isUpperCase() }
+            listOf("\"$name\"", "\"$name.csv\"", "\"$begin\$").none { it in sources } && name !in BY_KIND
+        }
+        assertEquals(emptyList<String>(), unnamed)
+    }
+
     private companion object {
+        /** Their names are put together. */
+        val BY_KIND = setOf("pair-correlation-by-KIND", "structure-factor-by-KIND", "streamlines-KEY")
         val HEAD = """
             |The first column of `tables/numbers.csv`, and columns of `sweep.csv` and `runs.csv`. Keys stay as they are from
             |version to version, whatever the words in the report, so a script looks a number up by its key. Words in
