@@ -72,7 +72,7 @@ internal class ValidationRecord(val groups: List<ValidationGroup>) {
         val all = groups.flatMap { it.rows }
         val bad = groups.flatMap { group -> group.rows.filter { it.ok == "no" }.map { group.group to it } }
         val list = bad.joinToString("") { (group, row) ->
-            "- $group: ${row.quantity.replace("|", "\\|")}, ${row.measured} and not ${row.target}.\n"
+            wrapped("- $group: ${row.quantity.replace("|", "\\|")}, ${row.measured} and not ${row.target}.", "  ") + "\n"
         }
         val head = "${all.size} numbers, ${all.count { it.ok == "ok" }} within their bound and ${bad.size} not; " +
             "of the others nothing is asked.\n\n$list"
@@ -98,17 +98,15 @@ internal class ValidationRecord(val groups: List<ValidationGroup>) {
         return text.toString()
     }
 
-    /** In lines of at most 120 characters. */
-    private fun wrapped(text: String): String {
+    /** In lines of at most 120 characters; those behind the first begin with [indent]. */
+    private fun wrapped(text: String, indent: String = ""): String {
         val lines = ArrayList<String>()
         for (word in text.split(' ')) {
-            val last = lines.lastOrNull()
-            if (last == null ||
-                last.length + 1 + word.length > WIDTH
-            ) {
-                lines += word
-            } else {
-                lines[lines.lastIndex] += " $word"
+            val more = lines.lastOrNull()?.let { "$it $word" }
+            when {
+                more == null -> lines += word
+                more.length > WIDTH -> lines += indent + word
+                else -> lines[lines.lastIndex] = more
             }
         }
         return lines.joinToString("\n")
