@@ -76,8 +76,9 @@ internal object ReportTables {
         ReportTable("viscosity-by-orbit", "total viscosity, a mean for each orbit"),
         ReportTable(
             "profile-AXIS",
-            "by bin along x, y or z: count, surface density, optical depth, filling factor, mean velocity and " +
-                "⟨c_a c_b⟩ without the imposed flow, over the particles of all states together, by number",
+            "by bin along x (`-radial`), y (`-azimuthal`) or z (`-vertical`): count, surface density, optical depth, " +
+                "filling factor, mean velocity and ⟨c_a c_b⟩ without the imposed flow, over the particles of all " +
+                "states together, by number",
         ),
         ReportTable("impact-speeds", "share of all collisions per unit of ln v_n, by impact speed"),
         ReportTable("flow", "mean velocity in cells of the x-y plane"),
