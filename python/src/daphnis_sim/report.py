@@ -84,7 +84,7 @@ class Report:
 
     @property
     def numbers(self) -> pd.DataFrame:
-        """The numbers of the report, indexed by the keys of docs/analysis.md.
+        """The numbers of the report, indexed by the keys of docs/reference/numbers.md.
 
         Columns: ``value``; ``standard_error``, NaN where none can be given; ``unit``; ``reference``, what is published,
         else NaN, and ``reference_bound``, how far off that may be; ``remark``, why there is no error, else empty.

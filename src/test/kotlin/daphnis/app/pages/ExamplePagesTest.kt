@@ -85,11 +85,17 @@ internal class Left(folder: Path) {
         (tables + pages).flatMap { text -> KEY.findAll(text).map { it.value } }.toSet()
     }
 
+    /** Words of the pages that are made of declarations. */
+    private val reference: Set<String> by lazy {
+        val pages = listOf("numbers", "tables").map { Repository.read("docs/reference/$it.md") }
+        pages.flatMap { text -> KEY.findAll(text).map { it.value } }.toSet()
+    }
+
     /** Whether [code] of a page is the name of a file that was left or of a known key, or neither kind of name. */
     fun has(code: String): Boolean = when {
         FILE.matches(code) -> paths.any { it.endsWith("/$code") }
         PLOT.matches(code) -> paths.any { "/$code." in it }
-        KEY.matches(code) -> code in words
+        KEY.matches(code) -> code in words || code in reference
         else -> true
     }
 

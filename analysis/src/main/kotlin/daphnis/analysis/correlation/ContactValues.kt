@@ -17,7 +17,7 @@ import kotlin.math.sqrt
  * In a box with images along all axes, of discs along x and y: others need a correction for the room at faces.
  *
  * With the default reach, 60 runs of 256 equal spheres at a filling factor of 0.3 gave 2.493 ± 0.005 for 2.4925 (Kolafa,
- * Labík & Malijevský 2004, of so few), and one of 500 at 0.45 and 0.49 what Carnahan & Starling have, within its errors of 1 % (docs/validation.md, Structure).
+ * Labík & Malijevský 2004, of so few), and one of 500 at 0.45 and 0.49 what Carnahan & Starling have, within its errors of 1 % (docs/reference/validation.md, Structure).
  *
  * @param reach share of the distance of contact, at most 1
  */

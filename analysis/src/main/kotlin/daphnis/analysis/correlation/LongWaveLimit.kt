@@ -9,7 +9,7 @@ import daphnis.analysis.insitu.State
  * k·r)|²/N best, over the wave vectors that fit the box with |k| up to [reach]; of many, 400 of the longest waves. A
  * number of one state is linear in these squares, so its mean over states has no bias but that of the parabola. With k
  * σ up to 2.5, 60 runs of 256 hard spheres at a filling factor of 0.3 gave 0.0981 ± 0.0009 for 0.0976, and one of 500
- * at 0.45 and 0.49 what Carnahan & Starling have, within its errors of 10 % (docs/validation.md, Structure). NaN for
+ * at 0.45 and 0.49 what Carnahan & Starling have, within its errors of 10 % (docs/reference/validation.md, Structure). NaN for
  * fewer than 20 vectors.
  *
  * @param reach largest |k|, in 1/length

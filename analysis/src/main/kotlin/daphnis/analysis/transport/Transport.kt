@@ -34,7 +34,7 @@ import kotlin.math.sqrt
  * it; w is without the straight flow of the boundary's rate, and stresses are of it, since the energy balance holds for
  * it.
  *
- * Formulas (docs/analysis.md has them with their sources): with Σ over particles of mass m, M = Σ m, and over the
+ * Formulas (docs/reference/numbers.md has them with their sources): with Σ over particles of mass m, M = Σ m, and over the
  * collisions of a time T,
  *
  * - ν_trans = ⟨w_x w_y⟩ / |γ|, the flux that particles carry by moving (translational, "local");

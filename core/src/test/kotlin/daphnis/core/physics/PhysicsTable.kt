@@ -38,11 +38,16 @@ fun assertPhysics(what: String, target: Double, measured: Double, bound: Double,
             "FAILED"
         },
     )
-    val file = Path.of(System.getProperty("daphnis.physicsTable") ?: "target/physics.md")
-    file.toAbsolutePath().parent?.let { Files.createDirectories(it) }
-    Files.writeString(file, row, CREATE, APPEND)
+    TABLE.toAbsolutePath().parent?.let { Files.createDirectories(it) }
+    Files.writeString(TABLE, row, CREATE, APPEND)
+    if (fullPhysics) Files.writeString(FULL_TABLE, row, CREATE, APPEND)
     assertTrue(deviation <= bound) { row }
 }
+
+private val TABLE = Path.of(System.getProperty("daphnis.physicsTable") ?: "target/physics.md")
+
+/** What the long forms have measured, from which [ValidationRecord] is written anew. */
+internal val FULL_TABLE: Path = TABLE.resolveSibling("physics-full.md")
 
 /** Something that must stay below [bound]. */
 fun assertBelow(what: String, measured: Double, bound: Double) {

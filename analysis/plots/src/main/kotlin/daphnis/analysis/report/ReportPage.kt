@@ -82,7 +82,8 @@ internal class ReportPage(private val title: String) {
         val note = if (row.note.isEmpty()) "" else " <small>${escape(row.note)}</small>"
         val value = ReportText.withError(row.value, row.error) + row.unknown?.let { "<sup>${it.mark}</sup>" }.orEmpty()
         val unit = escape(UnitNames.raised(row.unit))
-        return "<td>${escape(row.name)}$note</td><td class=\"n\">$value</td><td class=\"u\">$unit</td>"
+        val meaning = row.key?.let { ReportKeys.of(it) }?.let { " title=\"${escape(it.words())}\"" }.orEmpty()
+        return "<td$meaning>${escape(row.name)}$note</td><td class=\"n\">$value</td><td class=\"u\">$unit</td>"
     }
 
     private fun comparison(row: NumberRow): String {

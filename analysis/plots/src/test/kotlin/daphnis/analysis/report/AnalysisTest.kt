@@ -125,7 +125,7 @@ class AnalysisTest {
     }
 
     @Test
-    fun `the guide has the keys of all numbers`() = NumberKeys.assertDocumented()
+    fun `the keys of all numbers are declared`() = NumberKeys.assertDeclared()
 
     @Test
     fun `a patch with self-gravity has the numbers of gravity`() {

@@ -1,9 +1,9 @@
 package daphnis.analysis.report
 
-import daphnis.core.Repository
 import org.junit.jupiter.api.Assertions.assertEquals
 import java.nio.file.Files
 import java.nio.file.Path
+import kotlin.io.path.nameWithoutExtension
 
 /** Keys in `numbers.csv`, by which others read it: a key listed here never changes. */
 internal object NumberKeys {
@@ -109,6 +109,7 @@ internal object NumberKeys {
         "cluster_spanning_share",
         "largest_cluster",
     )
+    private val SOURCES = listOf("particles", "particle_fluctuations")
     private const val DISCS = "area_fraction"
     private const val WALLS = "wall_work_over_dissipation"
     private const val PISTON = "volume"
@@ -117,21 +118,25 @@ internal object NumberKeys {
     private val all =
         listOf(
             RING, PERTURBED, ROUGH_GAS, SELF_GRAVITY, SHEARED, MOONLET, SATELLITE, DIFFUSION, WAVES, FLUID, ORDER,
-            CLUSTERS, single,
+            CLUSTERS, SOURCES, single,
         ).flatten().toSet()
 
-    /** Keys in the first column of the guide's table of numbers. */
-    private fun documented(): List<String> {
-        val table = Repository.read("docs/analysis.md").substringAfter("| key | number |").substringBefore("\n\n")
-        return table.lines().drop(2).map { it.substringAfter('`').substringBefore('`') }
+    /** What is declared has all keys, each once, beside those that have a name or number of the run in them. */
+    fun assertDeclared() {
+        assertEquals(
+            all.sorted(),
+            ReportKeys.all.map {
+                it.key
+            }.filter { key -> key.none { it.isUpperCase() } }.sorted(),
+        )
     }
 
-    /** The guide has all keys, each once. */
-    fun assertDocumented() {
-        assertEquals(all.sorted(), documented().sorted())
+    /** The keys of the run in [path], in the order of the file; all of them and its tables are declared. */
+    fun of(path: Path): List<String> {
+        val tables = Files.list(path.resolve("tables")).use { all -> all.map { it.nameWithoutExtension }.toList() }
+        assertEquals(emptyList<String>(), tables.filter { ReportTables.of(it) == null }) { "tables not declared" }
+        val keys = Files.readAllLines(path.resolve("tables/numbers.csv")).drop(1).map { it.substringBefore(',') }
+        assertEquals(emptyList<String>(), keys.filter { ReportKeys.of(it) == null }) { "keys not declared" }
+        return keys
     }
-
-    /** The keys of the run in [path], in the order of the file. */
-    fun of(path: Path): List<String> =
-        Files.readAllLines(path.resolve("tables/numbers.csv")).drop(1).map { it.substringBefore(',') }
 }
