@@ -163,7 +163,7 @@ launch() {
     called=$0
     [ "$(command -v -- "${0##*/}" 2>/dev/null)" != "$0" ] || called=${0##*/}
 
-    # Ingredients of other libraries, see docs/adding.md.
+    # Ingredients of other libraries, see docs/internals/adding.md.
     if [ -n "${DAPHNIS_CLASSPATH:-}" ]; then
         set -- "-Ddaphnis.called=$called" -cp "$jar:$DAPHNIS_CLASSPATH" daphnis.app.MainKt "$@"
     else

@@ -26,7 +26,7 @@ class PackagesTest {
 
     @Test
     fun `every package has a sentence in the page for Dokka, and every sentence a package, in the order of names`() {
-        val said = "\n${Repository.root.resolve("docs/packages.md").readText()}".split("\n# Package ").drop(1)
+        val said = "\n${Repository.root.resolve("docs/internals/packages.md").readText()}".split("\n# Package ").drop(1)
             .map { it.substringBefore('\n') to it.substringAfter('\n').trim() }
         assertEquals(packages.joinToString("\n"), said.joinToString("\n") { it.first })
         val wrong = said.filter { (_, words) -> !words.endsWith(".") || words.length !in 10..400 }.map { it.first }

@@ -43,7 +43,7 @@ class SourceRulesTest {
     }
 
     /**
-     * What others ask of an ingredient of a scenario it says itself, see docs/adding.md, so that the next one is known
+     * What others ask of an ingredient of a scenario it says itself, see docs/internals/adding.md, so that the next one is known
      * everywhere. Its own file may compare it with others.
      */
     @Test

@@ -24,7 +24,7 @@ import kotlinx.serialization.Serializable
 import java.util.function.DoubleFunction
 import kotlin.math.sqrt
 
-/** Ingredients of another library, as docs/adding.md has them. */
+/** Ingredients of another library, as docs/internals/adding.md has them. */
 // example: ingredients
 class TrialIngredients : Ingredients {
     override val kinds: List<Kind<*>> = listOf(

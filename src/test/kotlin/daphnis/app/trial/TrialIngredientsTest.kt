@@ -155,7 +155,7 @@ class TrialIngredientsTest {
     /** The files and lists that it names are there; its code is an example here. */
     @Test
     fun `the page on adding says what is so`() {
-        val page = Files.readString(Repository.root.resolve("docs/adding.md"))
+        val page = Files.readString(Repository.root.resolve("docs/internals/adding.md"))
         val names = Regex("`(\\w+\\.kt)`").findAll(page).map { it.groupValues[1] }.toSet()
         assertTrue(names.size > 10) { "$names" }
         val files = listOf("core", "analysis/plots").flatMap { module ->

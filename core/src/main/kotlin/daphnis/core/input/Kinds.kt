@@ -13,7 +13,7 @@ import kotlin.reflect.KClass
 /**
  * The kinds of one ingredient of a scenario, such as its forces, each under the name by which `type` calls it in JSON:
  * those of daphnis, and those of other libraries on the class path, see [Ingredients]. A kind says everything that
- * others ask of it itself, so that nobody asks which one it is; docs/adding.md tells how to add one.
+ * others ask of it itself, so that nobody asks which one it is; docs/internals/adding.md tells how to add one.
  */
 @OptIn(InternalSerializationApi::class)
 public abstract class Kinds<T : Any>(ingredient: KClass<T>, own: List<Kind<out T>>) : KSerializer<T> {
