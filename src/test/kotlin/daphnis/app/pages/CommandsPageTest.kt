@@ -44,7 +44,7 @@ class CommandsPageTest {
         val name = item.names.substringBefore("=").substringBefore("[").ifEmpty { item.names }
         val value = item.names.removePrefix(name).filter { it !in "[]<>()" }.removePrefix("=")
         val text = item.text.trim().replace(Regex("<(\\S+)>"), "$1").replace("*", "\\*").replace("[", "\\[")
-        return GeneratedPage.row("`${name.trim('<', '>')}`", value, text)
+        return GeneratedPage.row("`${name.trim('<', '>').replace(", ", "`, `")}`", value, text)
     }
 
     private fun page(commands: List<Item>) = commands.joinToString("\n") { command ->
