@@ -6,6 +6,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import importlib.machinery
 import importlib.util
 import io
@@ -210,6 +211,34 @@ class BundleTest(Temporary):
         environment = {name: value for name, value in os.environ.items() if name != "SIGNING_KEY"}
         done = subprocess.run([HERE / "central", "bundle"], env=environment, capture_output=True, text=True)
         self.assertEqual((1, "release: SIGNING_KEY is not set\n"), (done.returncode, done.stderr))
+
+
+class SteadyTest(Temporary):
+    def jar(self, name: str, year: int, rights: int) -> Path:
+        file = self.folder / name
+        with zipfile.ZipFile(file, "w") as archive:
+            for entry, content in (("META-INF/", b""), ("META-INF/MANIFEST.MF", b"Manifest-Version: 1.0"), ("a", b"b")):
+                info = zipfile.ZipInfo(entry, (year, 7, 7, 7, 7, 8))
+                info.external_attr = rights << 16
+                archive.writestr(info, content)
+        return file
+
+    def test_time_and_rights_do_not_matter(self) -> None:
+        one, two = self.jar("one", 2001, 0o755), self.jar("two", 2022, 0o600)
+        self.assertNotEqual(one.read_bytes(), two.read_bytes())
+        (self.folder / "two.sha1").write_text("old", "utf-8")
+        subprocess.run([HERE / "steady", one, two], check=True)
+        self.assertEqual(one.read_bytes(), two.read_bytes())
+        with zipfile.ZipFile(one) as archive:
+            self.assertEqual(["META-INF/", "META-INF/MANIFEST.MF", "a"], archive.namelist())
+            self.assertEqual(b"b", archive.read("a"))
+        self.assertEqual(hashlib.sha1(two.read_bytes()).hexdigest(), (self.folder / "two.sha1").read_text("utf-8"))
+        self.assertFalse((self.folder / "one.sha1").exists())
+
+    def test_the_time_is_that_of_maven(self) -> None:
+        pom = (ROOT / "pom.xml").read_text("utf-8")
+        time = "{}-{:02}-{:02}T{:02}:{:02}:{:02}Z".format(*script("steady").TIME)
+        self.assertIn(f"<project.build.outputTimestamp>{time}<", pom)
 
 
 class ImageTest(Temporary):
