@@ -14,7 +14,7 @@ import kotlin.io.path.readText
  * comments into a column, which the formatter of sources does not. What belongs in a build script is left out.
  */
 class GuideExamplesTest {
-    private val pages = listOf("docs", "docs/examples").flatMap { folder ->
+    private val pages = listOf("docs", "docs/examples", "docs/internals").flatMap { folder ->
         Files.list(Repository.root.resolve(folder)).use { files -> files.filter { it.extension == "md" }.toList() }
     }.plusElement(Repository.root.resolve("README.md"))
         .associate { "${Repository.root.relativize(it)}" to COLUMN.replace(it.readText(), " //") }
