@@ -208,9 +208,7 @@ public object SeriesColumns : TableColumns {
         whole(
             left,
             "that left; `particles` is that of the first row, plus all that came, less all that left",
-        ) {
-            it.exchanged.left(k)
-        }
+        ) { it.exchanged.left(k) }
         whole(refused, "that found no place") { it.exchanged.refused(k) }
         number(mass, "of what came less what left", Dimension.MASS) { it.exchanged.mass(k) }
         each(exchanged(k).subList(4, 7), "of what came less what left", Dimension.MOMENTUM) { row, axis ->
