@@ -101,7 +101,10 @@ class Run:
 
     @property
     def series(self) -> pd.DataFrame:
-        """``series.csv``: a row every ``output.seriesEvery`` steps; units in ``attrs["units"]``, see docs/columns.md."""
+        """``series.csv``: a row every ``output.seriesEvery`` steps; units in ``attrs["units"]``.
+
+        docs/reference/columns.md says what the columns of this and the other tables are.
+        """
         return self._table("series.csv", "output.seriesEvery")
 
     @property
@@ -121,7 +124,7 @@ class Run:
 
     @property
     def bodies(self) -> pd.DataFrame:
-        """``bodies.csv``: for each body and time its orbit and what pushed it, see docs/columns.md."""
+        """``bodies.csv``: for each body and time its orbit and what pushed it."""
         return self._table("bodies.csv", "output.bodiesEvery")
 
     @property

@@ -79,7 +79,7 @@ internal class Left(folder: Path) {
     /** Words of tables, and of pages that have all keys, since a short run may be too short for some of them. */
     private val words: Set<String> by lazy {
         val tables = files.filter { "$it".endsWith(".csv") && Files.size(it) < LARGE }.map { it.readText() }
-        val pages = listOf("docs/analysis.md", "docs/columns.md", "docs/runs.md", "docs/scenario.md").map {
+        val pages = listOf("docs/analysis.md", "docs/reference/columns.md", "docs/runs.md", "docs/scenario.md").map {
             Repository.read(it)
         }
         (tables + pages).flatMap { text -> KEY.findAll(text).map { it.value } }.toSet()

@@ -17,8 +17,8 @@ internal class BodyRow(val simulation: Simulation, val push: BodyPush, val state
 }
 
 /**
- * The columns of `bodies.csv`, a row for each body and time; `docs/columns.md` says what they mean. A further quantity
- * is a further line here. A satellite that feels the ring is a body too.
+ * The columns of `bodies.csv`, a row for each body and time. A further quantity is a further declaration here. A
+ * satellite that feels the ring is a body too.
  */
 public object BodyColumns : TableColumns {
     internal val rows = Columns<BodyRow>("bodies.csv")
@@ -38,61 +38,97 @@ public object BodyColumns : TableColumns {
     }
 
     @JvmField
-    public val STEP: Column = rows.whole("step") { it.simulation.step }
+    public val STEP: Column = rows.step { it.simulation.step }
 
     @JvmField
-    public val TIME: Column = rows.number("time", Dimension.TIME, Need.NEEDED) { it.simulation.time }
-
-    /** Id of the body; of a satellite that feels the ring, −1 for the first of all, −2 for the second. */
-    @JvmField
-    public val BODY: Column = rows.whole("body", Need.NEEDED) { it.push.body.id.toLong() }
+    public val TIME: Column = rows.time { it.simulation.time }
 
     @JvmField
-    public val MASS: Column = rows.number("mass", Dimension.MASS, Need.NEEDED) { it.push.body.mass(it.simulation) }
-
-    /** In the box. */
-    @JvmField
-    public val POSITION: List<Column> =
-        rows.each(listOf("x", "y", "z"), Dimension.LENGTH) { row, axis -> row.state[axis] }
-
-    @JvmField
-    public val VELOCITY: List<Column> =
-        rows.each(listOf("vx", "vy", "vz"), Dimension.SPEED) { row, axis -> row.state[3 + axis] }
-
-    /** X as if no face had been crossed: how far the semi-major axis has moved. */
-    @JvmField
-    public val GUIDING_X: Column =
-        rows.number("guiding_x", Dimension.LENGTH, Need.NEEDED) { it.push.body.guidingX(it.simulation) }
-
-    /** Y in the box. */
-    @JvmField
-    public val GUIDING_Y: Column =
-        rows.number("guiding_y", Dimension.LENGTH) { it.orbit?.guidingY ?: Double.NaN }
-
-    /** Eccentricity times semi-major axis. */
-    @JvmField
-    public val ECCENTRICITY: Column = rows.number("e", Dimension.LENGTH) { it.orbit?.e ?: Double.NaN }
+    public val BODY: Column = rows.whole(
+        "body",
+        "its id; of a satellite that feels the ring −1 for the first of all satellites, −2 for the second",
+        Need.NEEDED,
+    ) { it.push.body.id.toLong() }
 
     @JvmField
-    public val PHASE: Column = rows.number("phase") { it.orbit?.phase ?: Double.NaN }
+    public val MASS: Column = rows.number(
+        "mass",
+        "of the body",
+        Dimension.MASS,
+        Need.NEEDED,
+    ) { it.push.body.mass(it.simulation) }
 
-    /** Inclination times semi-major axis. */
     @JvmField
-    public val INCLINATION: Column = rows.number("i", Dimension.LENGTH) { it.orbit?.i ?: Double.NaN }
+    public val POSITION: List<Column> = rows.each(
+        listOf("x", "y", "z"),
+        "its centre, in the box",
+        Dimension.LENGTH,
+    ) { row, axis -> row.state[axis] }
 
     @JvmField
-    public val VERTICAL_PHASE: Column = rows.number("vertical_phase") { it.orbit?.verticalPhase ?: Double.NaN }
+    public val VELOCITY: List<Column> = rows.each(
+        listOf("vx", "vy", "vz"),
+        "its velocity",
+        Dimension.SPEED,
+    ) { row, axis -> row.state[3 + axis] }
 
-    /** Impacts since the row before. */
     @JvmField
-    public val IMPACTS: Column = rows.whole("impacts") { it.push.count }
+    public val GUIDING_X: Column = rows.number(
+        "guiding_x",
+        "X = (4x + 2 v_y/Ω) (Ω/κ)², counted through the faces: how far its semi-major axis has moved",
+        Dimension.LENGTH,
+        Need.NEEDED,
+    ) { it.push.body.guidingX(it.simulation) }
 
-    /** Push along the orbit by impacts since the row before: times the distance from the planet, angular momentum. */
     @JvmField
-    public val IMPACT_PUSH: Column = rows.number("impact_push", Dimension.MOMENTUM, Need.NEEDED) { it.push.impacts }
+    public val GUIDING_Y: Column = rows.number(
+        "guiding_y",
+        "Y = y − 2 v_x Ω/κ², in the box",
+        Dimension.LENGTH,
+    ) { it.orbit?.guidingY ?: Double.NaN }
 
-    /** The same by everything else, which is gravity. */
     @JvmField
-    public val GRAVITY_PUSH: Column =
-        rows.number("gravity_push", Dimension.MOMENTUM, Need.NEEDED) { it.push.others(it.simulation) }
+    public val ECCENTRICITY: Column = rows.number(
+        "e",
+        "eccentricity times semi-major axis",
+        Dimension.LENGTH,
+    ) { it.orbit?.e ?: Double.NaN }
+
+    @JvmField
+    public val PHASE: Column = rows.number(
+        "phase",
+        "of the epicycle, radians, 0 at pericentre",
+    ) { it.orbit?.phase ?: Double.NaN }
+
+    @JvmField
+    public val INCLINATION: Column = rows.number(
+        "i",
+        "inclination times semi-major axis",
+        Dimension.LENGTH,
+    ) { it.orbit?.i ?: Double.NaN }
+
+    @JvmField
+    public val VERTICAL_PHASE: Column = rows.number(
+        "vertical_phase",
+        "ζ of z = i cos ζ, radians",
+    ) { it.orbit?.verticalPhase ?: Double.NaN }
+
+    @JvmField
+    public val IMPACTS: Column = rows.whole("impacts", "since the row before, or the start of the run, as both pushes") { it.push.count }
+
+    @JvmField
+    public val IMPACT_PUSH: Column = rows.number(
+        "impact_push",
+        "push along the orbit by these impacts; times the distance from the planet it is angular momentum",
+        Dimension.MOMENTUM,
+        Need.NEEDED,
+    ) { it.push.impacts }
+
+    @JvmField
+    public val GRAVITY_PUSH: Column = rows.number(
+        "gravity_push",
+        "that by all else: gravity of the ring, of other bodies, of satellites",
+        Dimension.MOMENTUM,
+        Need.NEEDED,
+    ) { it.push.others(it.simulation) }
 }

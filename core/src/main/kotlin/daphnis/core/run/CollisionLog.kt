@@ -92,9 +92,9 @@ internal class LoggedCollision(val held: HeldCollisions) {
 }
 
 /**
- * The columns of `collisions.csv`; `docs/columns.md` says what they mean. A further quantity is a further line here.
- * [TANGENTIAL_IMPULSE] is only there where spheres have spins, [EDGE] where they have interactions, and
- * [SURFACE_DISSIPATION] in both, and where they merge or break.
+ * The columns of `collisions.csv`. A further quantity is a further declaration here. [TANGENTIAL_IMPULSE] is only
+ * there where spheres have spins, [EDGE] where they have interactions, and [SURFACE_DISSIPATION] in both, and where they
+ * merge or break.
  */
 public object CollisionColumns : TableColumns {
     internal val rows = Columns<LoggedCollision>("collisions.csv")
@@ -102,44 +102,86 @@ public object CollisionColumns : TableColumns {
     override val columns: List<Column> get() = rows.columns
 
     @JvmField
-    public val STEP: Column = rows.whole("step", Need.NEEDED) { it.held.stepOf(it.k) }
+    public val STEP: Column = rows.whole(
+        "step",
+        "that it is part of; collisions with walls are not here",
+        Need.NEEDED,
+    ) { it.held.stepOf(it.k) }
 
     @JvmField
-    public val TIME_IN_STEP: Column = rows.number("time_in_step", Dimension.TIME, Need.NEEDED) { it.record.time[it.k] }
+    public val TIME_IN_STEP: Column = rows.number(
+        "time_in_step",
+        "since the start of the step",
+        Dimension.TIME,
+        Need.NEEDED,
+    ) { it.record.time[it.k] }
 
     @JvmField
-    public val ID_LOWER: Column = rows.whole("id_lower", Need.NEEDED) { it.record.lower[it.k].toLong() }
+    public val ID_LOWER: Column = rows.whole(
+        "id_lower",
+        "of the sphere with the lower id",
+        Need.NEEDED,
+    ) { it.record.lower[it.k].toLong() }
 
     @JvmField
-    public val ID_HIGHER: Column = rows.whole("id_higher", Need.NEEDED) { it.record.higher[it.k].toLong() }
+    public val ID_HIGHER: Column = rows.whole(
+        "id_higher",
+        "of the other",
+        Need.NEEDED,
+    ) { it.record.higher[it.k].toLong() }
 
     @JvmField
-    public val IMPACT_SPEED: Column = rows.number("impact_speed", Dimension.SPEED) { it.record.impactSpeed(it.k) }
+    public val IMPACT_SPEED: Column = rows.number(
+        "impact_speed",
+        "normal component, before; below 0 at an edge where the two recede",
+        Dimension.SPEED,
+    ) { it.record.impactSpeed(it.k) }
 
     @JvmField
-    public val COEFFICIENT: Column = rows.number("coefficient") { it.record.coefficient(it.k) }
+    public val COEFFICIENT: Column = rows.number(
+        "coefficient",
+        "of restitution, as applied; below 0 at an edge that is passed, 1 where they turn back",
+    ) { it.record.coefficient(it.k) }
 
     @JvmField
-    public val IMPULSE: Column = rows.number("impulse", Dimension.MOMENTUM) { it.record.impulse(it.k) }
+    public val IMPULSE: Column = rows.number(
+        "impulse",
+        "momentum that changes hands along the normal; below 0 where an edge attracts",
+        Dimension.MOMENTUM,
+    ) { it.record.impulse(it.k) }
 
     @JvmField
-    public val SEPARATION: List<Column> =
-        rows.each(listOf("separation_x", "separation_y", "separation_z"), Dimension.LENGTH) { row, axis ->
-            row.record.separation(row.k, axis)
-        }
+    public val SEPARATION: List<Column> = rows.each(
+        listOf("separation_x", "separation_y", "separation_z"),
+        "from the lower to the higher sphere's centre, in contact or at the edge",
+        Dimension.LENGTH,
+    ) { row, axis ->
+        row.record.separation(row.k, axis)
+    }
 
     @JvmField
     public val TANGENTIAL_IMPULSE: List<Column> = rows.each(
         listOf("tangential_impulse_x", "tangential_impulse_y", "tangential_impulse_z"),
+        "momentum that the higher sphere receives along its surface; only where spheres spin",
         Dimension.MOMENTUM,
     ) { row, axis -> row.record.tangentialImpulse(row.k, axis) }
 
     @JvmField
-    public val SURFACE_DISSIPATION: Column =
-        rows.number("surface_dissipation", Dimension.ENERGY) { it.record.surfaceDissipation(it.k) }
+    public val SURFACE_DISSIPATION: Column = rows.number(
+        "surface_dissipation",
+        "energy, that of spins with it, that roughness takes, and a merger of the tangential motion; below 0 " +
+            "what the pieces of spheres that break have of the impact; restitution takes ½ `impulse` (1 − " +
+            "`coefficient`) `impact_speed` beside it; at an edge what a bridge takes; only where spheres spin, " +
+            "have interactions, merge or break",
+        Dimension.ENERGY,
+    ) { it.record.surfaceDissipation(it.k) }
 
     @JvmField
-    public val EDGE: Column = rows.whole("edge") { it.record.edge(it.k).toLong() }
+    public val EDGE: Column = rows.whole(
+        "edge",
+        "0 where surfaces met; at an edge of an interaction 1 inward, 2 outward, 3 turned back; only where " +
+            "spheres have one",
+    ) { it.record.edge(it.k).toLong() }
 
     /** The columns of a run with [sums]. */
     internal fun of(sums: StepSums) = rows.without(

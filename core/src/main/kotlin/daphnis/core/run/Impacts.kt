@@ -10,24 +10,34 @@ import daphnis.core.table.UnitsOfDimensions
 /** Bin [k] of the impact speeds in [statistics]. */
 internal class ImpactBin(val statistics: CollisionStatistics, val k: Int)
 
-/** The columns of `impacts.csv`, one row per bin; `docs/columns.md` says what they mean. */
+/** The columns of `impacts.csv`, one row per bin. */
 public object ImpactColumns : TableColumns {
     internal val rows = Columns<ImpactBin>("impacts.csv")
     override val file: String get() = rows.file
     override val columns: List<Column> get() = rows.columns
 
-    /** Lower edge of the bin, > 0. */
     @JvmField
-    public val SPEED_FROM: Column =
-        rows.number("speed_from", Dimension.SPEED, Need.NEEDED) { CollisionStatistics.binEdge(it.k) }
-
-    /** Upper edge of the bin. */
-    @JvmField
-    public val SPEED_TO: Column =
-        rows.number("speed_to", Dimension.SPEED, Need.NEEDED) { CollisionStatistics.binEdge(it.k + 1) }
+    public val SPEED_FROM: Column = rows.number(
+        "speed_from",
+        "lower edge of a bin of impact speeds",
+        Dimension.SPEED,
+        Need.NEEDED,
+    ) { CollisionStatistics.binEdge(it.k) }
 
     @JvmField
-    public val COLLISIONS: Column = rows.whole("collisions", Need.NEEDED) { it.statistics.speeds[it.k] }
+    public val SPEED_TO: Column = rows.number(
+        "speed_to",
+        "its upper edge",
+        Dimension.SPEED,
+        Need.NEEDED,
+    ) { CollisionStatistics.binEdge(it.k + 1) }
+
+    @JvmField
+    public val COLLISIONS: Column = rows.whole(
+        "collisions",
+        "in the bin, since the start",
+        Need.NEEDED,
+    ) { it.statistics.speeds[it.k] }
 
     /** The whole file: from the first bin with a collision to the last. */
     internal fun table(statistics: CollisionStatistics, units: UnitsOfDimensions): ByteArray {

@@ -53,29 +53,50 @@ internal class ModeRow(val simulation: Simulation, val sums: ModeSums, val mode:
         if (k == 0) sums.real(quantity, mode) else sums.imaginary(quantity, mode)
 }
 
-/** The columns of `modes.csv`; `docs/columns.md` says what they mean, and [ModeSums] how modes are defined. */
+/** The columns of `modes.csv`; [ModeSums] says how modes are defined. */
 public object ModeColumns : TableColumns {
     internal val rows = Columns<ModeRow>("modes.csv")
     override val file: String get() = rows.file
     override val columns: List<Column> get() = rows.columns
 
     @JvmField
-    public val STEP: Column = rows.whole("step") { it.simulation.step }
+    public val STEP: Column = rows.step { it.simulation.step }
 
     @JvmField
-    public val TIME: Column = rows.number("time", Dimension.TIME, Need.NEEDED) { it.simulation.time }
+    public val TIME: Column = rows.time { it.simulation.time }
 
     @JvmField
-    public val MODE: Column = rows.whole("mode", Need.NEEDED) { it.mode.toLong() }
+    public val MODE: Column = rows.whole(
+        "mode",
+        "m, from 0 to `output.modes`: a row for each",
+        Need.NEEDED,
+    ) { it.mode.toLong() }
 
     @JvmField
-    public val WAVENUMBER: Column =
-        rows.number("wavenumber", Dimension.WAVENUMBER, Need.NEEDED) { it.sums.wavenumber(it.mode) }
+    public val WAVENUMBER: Column = rows.number(
+        "wavenumber",
+        "k = 2π m/L, L the radial edge of the box",
+        Dimension.WAVENUMBER,
+        Need.NEEDED,
+    ) { it.sums.wavenumber(it.mode) }
     private val parts = mapOf(
-        ModeQuantity.DENSITY to parts("density", Dimension.NUMBER, ModeQuantity.DENSITY),
-        ModeQuantity.VELOCITY_X to parts("vx", Dimension.SPEED, ModeQuantity.VELOCITY_X),
-        ModeQuantity.VELOCITY_Y to parts("vy", Dimension.SPEED, ModeQuantity.VELOCITY_Y),
-        ModeQuantity.TEMPERATURE to parts("temperature", Dimension.SPEED_SQUARED, ModeQuantity.TEMPERATURE),
+        ModeQuantity.DENSITY to
+            parts(
+                "density",
+                "of the surface density over its mean; 1 for m = 0",
+                Dimension.NUMBER,
+                ModeQuantity.DENSITY,
+            ),
+        ModeQuantity.VELOCITY_X to parts("vx", "of v_x", Dimension.SPEED, ModeQuantity.VELOCITY_X),
+        ModeQuantity.VELOCITY_Y to
+            parts("vy", "of v_y around the imposed flow", Dimension.SPEED, ModeQuantity.VELOCITY_Y),
+        ModeQuantity.TEMPERATURE to
+            parts(
+                "temperature",
+                "of the local granular temperature ⟨c²⟩/3",
+                Dimension.SPEED_SQUARED,
+                ModeQuantity.TEMPERATURE,
+            ),
     )
 
     /** The real part of the mode of [quantity]. */
@@ -86,8 +107,8 @@ public object ModeColumns : TableColumns {
     @JvmStatic
     public fun imaginary(quantity: ModeQuantity): Column = parts.getValue(quantity)[1]
 
-    private fun parts(name: String, dimension: String, quantity: ModeQuantity): List<Column> {
+    private fun parts(name: String, meaning: String, dimension: String, quantity: ModeQuantity): List<Column> {
         val names = listOf("${name}_re", "${name}_im")
-        return rows.each(names, dimension, names.toSet()) { row, k -> row.part(quantity, k) }
+        return rows.each(names, meaning, dimension, names.toSet()) { row, k -> row.part(quantity, k) }
     }
 }

@@ -11,8 +11,8 @@ import kotlin.reflect.KProperty1
  * compares its key or says what it costs, asks this.
  *
  * A further one is an `object` of this class in a file of this package, beside its [Output], and a key in [OutputSpec].
- * The compiler lists the objects of a sealed class, so [PeriodicOutputs] has it then. Tests ask for its rows in
- * `docs/columns.md`, and a description of its key.
+ * The compiler lists the objects of a sealed class, so [PeriodicOutputs] has it then. Tests make
+ * `docs/reference/columns.md` of the meanings of its columns, and ask for a description of its key.
  *
  * @property name in the checkpoint and in messages; an output of a program cannot have it
  * @param property its key: a number of steps, 0 for never, or whether it is written after every step

@@ -90,9 +90,9 @@ internal class TransportRow(
 }
 
 /**
- * The columns of `transport.csv`; `docs/columns.md` says what they mean. A further quantity is a further line here. Those
- * from `virial_yx` on are only there where spheres have spins, those from [WALL_WORK] on where walls move or are
- * thermal, and those from [KINETIC_HEAT] on of smooth elastic gases at rest.
+ * The columns of `transport.csv`. A further quantity is a further declaration here. Those from `virial_yx` on are only
+ * there where spheres have spins, those from [WALL_WORK] on where walls move or are thermal, and those from
+ * [KINETIC_HEAT] on of smooth elastic gases at rest.
  */
 public object TransportColumns : TableColumns {
     private val COMPONENTS = listOf("xx", "yy", "zz", "xy", "xz", "yz")
@@ -108,88 +108,144 @@ public object TransportColumns : TableColumns {
     override val columns: List<Column> get() = rows.columns
 
     @JvmField
-    public val STEP: Column = rows.whole("step") { it.simulation.step }
+    public val STEP: Column = rows.step { it.simulation.step }
 
     @JvmField
-    public val TIME: Column = rows.number("time", Dimension.TIME, Need.NEEDED) { it.simulation.time }
+    public val TIME: Column = rows.time { it.simulation.time }
 
     @JvmField
-    public val PARTICLES: Column = rows.whole("particles", Need.NEEDED) { it.sums.count.toLong() }
+    public val PARTICLES: Column = rows.particles { it.sums.count.toLong() }
 
     @JvmField
-    public val MASS: Column = rows.number("mass", Dimension.MASS, Need.NEEDED) { it.sums.particleMass }
-    private val moments =
-        tensor("c_", Dimension.SPEED_SQUARED, setOf("xx", "yy", "zz", "xy")) { row, k -> row.sums.moments[k] }
+    public val MASS: Column = rows.number(
+        "mass",
+        "of the particles, without bodies",
+        Dimension.MASS,
+        Need.NEEDED,
+    ) { it.sums.particleMass }
+    private val moments = tensor(
+        "c_",
+        "⟨c_a c_b⟩ of the peculiar velocities",
+        Dimension.SPEED_SQUARED,
+        setOf("xx", "yy", "zz", "xy"),
+    ) { row, k -> row.sums.moments[k] }
 
     @JvmField
-    public val MEAN_VELOCITY: List<Column> =
-        rows.each(listOf("mean_vx", "mean_vy", "mean_vz"), Dimension.SPEED) { row, axis -> row.sums.mean[axis] }
+    public val MEAN_VELOCITY: List<Column> = rows.each(
+        listOf("mean_vx", "mean_vy", "mean_vz"),
+        "mean velocity around the imposed flow",
+        Dimension.SPEED,
+    ) { row, axis -> row.sums.mean[axis] }
 
     @JvmField
-    public val CENTRE_Z: Column = rows.number("centre_z", Dimension.LENGTH) { it.sums.centreZ }
+    public val CENTRE_Z: Column = rows.number("centre_z", "mean height", Dimension.LENGTH) { it.sums.centreZ }
 
     @JvmField
-    public val SCALE_HEIGHT: Column =
-        rows.number("scale_height", Dimension.LENGTH, Need.NEEDED) { it.sums.scaleHeight }
+    public val SCALE_HEIGHT: Column = rows.number(
+        "scale_height",
+        "√⟨(z − centre)²⟩",
+        Dimension.LENGTH,
+        Need.NEEDED,
+    ) { it.sums.scaleHeight }
 
     @JvmField
-    public val GUIDING_X: Column = rows.number("guiding_x", Dimension.LENGTH) { it.sums.guidingX }
+    public val GUIDING_X: Column = rows.number(
+        "guiding_x",
+        "Σ m X / Σ m, X the guiding centre, in Hill's frame; else the mean of x",
+        Dimension.LENGTH,
+    ) { it.sums.guidingX }
 
     @JvmField
-    public val COLLISIONS: Column = rows.whole("collisions", Need.NEEDED) { it.collisions.count }
+    public val COLLISIONS: Column = rows.whole(
+        "collisions",
+        "since the start, like all that follow but `gravity_…` and `kinetic_…`",
+        Need.NEEDED,
+    ) { it.collisions.count }
 
     @JvmField
-    public val SUM_IMPACT_SPEED: Column = rows.number("sum_impact_speed", Dimension.SPEED) { it.collisions.sumSpeed }
+    public val SUM_IMPACT_SPEED: Column = rows.number(
+        "sum_impact_speed",
+        "Σ impact speed",
+        Dimension.SPEED,
+    ) { it.collisions.sumSpeed }
 
     @JvmField
-    public val DISSIPATED: Column = rows.number("dissipated", Dimension.ENERGY, Need.NEEDED) {
+    public val DISSIPATED: Column = rows.number(
+        "dissipated",
+        "kinetic energy, that of spins with it, lost in collisions of two spheres, and what bridges take",
+        Dimension.ENERGY,
+        Need.NEEDED,
+    ) {
         it.collisions.dissipated
     }
-    private val virials =
-        tensor("virial_", Dimension.ACTION, setOf("xy")) { row, k -> row.collisions.virial[NINE[k]] }
+    private val virials = tensor(
+        "virial_",
+        "Σ Δp_a δ_b over collisions, and events at edges",
+        Dimension.ACTION,
+        setOf("xy"),
+    ) { row, k -> row.collisions.virial[NINE[k]] }
 
     @JvmField
-    public val GRAVITY_XY: Column = rows.number("gravity_xy", Dimension.ENERGY) { it.gravityXY }
-    private val kinetics = tensor("kinetic_", Dimension.SPEED_SQUARED) { row, k -> row.sums.kinetic[k] }
-    private val turned = rows.each(TURNED.map { "virial_$it" }, Dimension.ACTION) { row, k ->
+    public val GRAVITY_XY: Column = rows.number(
+        "gravity_xy",
+        "stress of self-gravity, at the time",
+        Dimension.ENERGY,
+    ) { it.gravityXY }
+    private val kinetics = tensor(
+        "kinetic_",
+        "⟨w_a w_b⟩, w the velocity around the imposed flow",
+        Dimension.SPEED_SQUARED,
+    ) { row, k -> row.sums.kinetic[k] }
+    private val turned = rows.each(
+        TURNED.map { "virial_$it" },
+        "of rough spheres only; of others they are `virial_xy`, `virial_xz` and `virial_yz`",
+        Dimension.ACTION,
+    ) { row, k ->
         row.collisions.virial[TURNED_NINE[k]]
     }
     private val allVirials = virials + TURNED.zip(turned)
 
-    /** Energy that walls gave since the start, where any moves or is thermal. */
     @JvmField
-    public val WALL_WORK: Column = rows.number("wall_work", Dimension.ENERGY) { it.walls?.given ?: 0.0 }
+    public val WALL_WORK: Column = rows.number(
+        "wall_work",
+        "energy that walls gave to spheres, less what they took; this and what follows where a wall moves or " +
+            "is thermal only",
+        Dimension.ENERGY,
+    ) { it.walls?.given ?: 0.0 }
 
-    /** Momentum that the walls −x, +x, −y, +y, −z, +z gave along their normals since the start, in the same files. */
     @JvmField
     public val WALL_IMPULSE: List<Column> = rows.each(
         listOf("lower_x", "upper_x", "lower_y", "upper_y", "lower_z", "upper_z").map { "wall_impulse_$it" },
+        "momentum that the wall gave along its normal; over area and time the pressure on it",
         Dimension.MOMENTUM,
     ) { row, face -> row.walls?.impulse(face) ?: 0.0 }
 
-    /**
-     * Momentum that the first eight of the boundary's surfaces gave along their normals since the start, each in the
-     * same files if it is there.
-     */
     @JvmField
     public val SURFACE_IMPULSE: List<Column> = rows.each(
         List(8) { "wall_impulse_surface_$it" },
+        "the same of the first eight of `boundary.surfaces`, counted from 0, those that there are",
         Dimension.MOMENTUM,
     ) { row, k -> row.walls?.surfaceImpulse(k) ?: 0.0 }
 
-    /** Σ ½ m w² w_a along x, y, z, at the time: what of the heat flux particles carry, times the volume. */
     @JvmField
-    public val KINETIC_HEAT: List<Column> =
-        rows.each(listOf("x", "y", "z").map { "kinetic_heat_$it" }, Dimension.ENERGY_SPEED) { row, axis ->
-            row.sums.heat[axis]
-        }
+    public val KINETIC_HEAT: List<Column> = rows.each(
+        listOf("x", "y", "z").map { "kinetic_heat_$it" },
+        "Σ ½ m w² w_a, the heat flux that spheres carry, times volume, at the time; this and what follows of " +
+            "smooth elastic gases at rest only",
+        Dimension.ENERGY_SPEED,
+    ) { row, axis ->
+        row.sums.heat[axis]
+    }
 
-    /** Σ ΔE δ_a over collisions since the start: ΔE is the energy that the sphere gained to which δ points. */
     @JvmField
-    public val COLLISIONAL_HEAT: List<Column> =
-        rows.each(listOf("x", "y", "z").map { "collisional_heat_$it" }, Dimension.ENERGY_LENGTH) { row, axis ->
-            row.heat?.carried(axis) ?: 0.0
-        }
+    public val COLLISIONAL_HEAT: List<Column> = rows.each(
+        listOf("x", "y", "z").map { "collisional_heat_$it" },
+        "Σ ΔE δ_a over collisions since the start: ΔE is the kinetic energy that one sphere gains, δ points " +
+            "to it from the other",
+        Dimension.ENERGY_LENGTH,
+    ) { row, axis ->
+        row.heat?.carried(axis) ?: 0.0
+    }
 
     /** The columns of a run with so many [surfaces]. */
     internal fun rows(
@@ -222,12 +278,13 @@ public object TransportColumns : TableColumns {
 
     private fun tensor(
         prefix: String,
+        meaning: String,
         dimension: String,
         needed: Set<String> = emptySet(),
         value: Columns.Component<TransportRow>,
     ): Map<String, Column> {
         val names = COMPONENTS.map { prefix + it }
-        val columns = rows.each(names, dimension, needed.map { prefix + it }.toSet(), value)
+        val columns = rows.each(names, meaning, dimension, needed.map { prefix + it }.toSet(), value)
         return COMPONENTS.zip(columns).toMap()
     }
 }

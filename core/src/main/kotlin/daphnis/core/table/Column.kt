@@ -4,11 +4,13 @@ package daphnis.core.table
  * A column of a table that runs write, declared once for all code that writes, reads, draws or explains it.
  *
  * @property name as in the file's header, where its unit follows in brackets
+ * @property meaning in a few words of Markdown, for the page of columns
  * @property dimension of its numbers, see [Dimension]
  * @property need whether a reader can do without it
  */
 public class Column internal constructor(
     public val name: String,
+    internal val meaning: String,
     public val dimension: String,
     public val need: Need,
 ) {

@@ -30,26 +30,39 @@ internal class Columns<Row>(override val file: String) : TableColumns {
     fun header(units: UnitsOfDimensions): String =
         columns.joinToString(",") { UnitsOfDimensions.head(it.name, units.of(it.dimension)) }
 
+    /** Declares the column of steps. */
+    fun step(value: ToLongFunction<Row>): Column = whole("step", "steps since the start of the run", value = value)
+
+    /** Declares the column of times. */
+    fun time(value: ToDoubleFunction<Row>): Column =
+        number("time", "at the end of the step", Dimension.TIME, Need.NEEDED, value)
+
+    /** Declares the column of the number of spheres. */
+    fun particles(value: ToLongFunction<Row>): Column =
+        whole("particles", "spheres, bodies included", Need.NEEDED, value)
+
     /** Declares a column of whole numbers. */
-    fun whole(name: String, need: Need = Need.OPTIONAL, value: ToLongFunction<Row>): Column =
-        add(Column(name, Dimension.NUMBER, need)) { line, row -> line.append(value.applyAsLong(row)) }
+    fun whole(name: String, meaning: String, need: Need = Need.OPTIONAL, value: ToLongFunction<Row>): Column =
+        add(Column(name, meaning, Dimension.NUMBER, need)) { line, row -> line.append(value.applyAsLong(row)) }
 
     /** Declares a column of numbers. */
     fun number(
         name: String,
+        meaning: String,
         dimension: String = Dimension.NUMBER,
         need: Need = Need.OPTIONAL,
         value: ToDoubleFunction<Row>,
-    ): Column = add(Column(name, dimension, need)) { line, row -> line.append(value.applyAsDouble(row)) }
+    ): Column = add(Column(name, meaning, dimension, need)) { line, row -> line.append(value.applyAsDouble(row)) }
 
     /** Declares a column for each of the components [names] of a quantity, of which those in [needed] are needed. */
     fun each(
         names: List<String>,
+        meaning: String,
         dimension: String,
         needed: Set<String> = emptySet(),
         value: Component<Row>,
     ): List<Column> = names.mapIndexed { k, name ->
-        number(name, dimension, if (name in needed) Need.NEEDED else Need.OPTIONAL) { value.of(it, k) }
+        number(name, meaning, dimension, if (name in needed) Need.NEEDED else Need.OPTIONAL) { value.of(it, k) }
     }
 
     /** Component `k` of a quantity of several numbers. */

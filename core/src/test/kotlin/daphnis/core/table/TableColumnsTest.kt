@@ -1,6 +1,5 @@
 package daphnis.core.table
 
-import daphnis.core.Repository
 import daphnis.core.run.ModeColumns
 import daphnis.core.run.PeriodicOutputs
 import daphnis.core.run.Run
@@ -14,7 +13,7 @@ import org.junit.jupiter.api.io.TempDir
 import java.nio.file.Files
 import java.nio.file.Path
 
-/** Columns are declared once: files and guide say the same. */
+/** Files have the columns that are declared. */
 class TableColumnsTest {
     @TempDir
     lateinit var home: Path
@@ -47,21 +46,6 @@ class TableColumnsTest {
                 assertEquals(columns.size, line.size) { table.file }
                 for (cell in line) cell.toDouble()
             }
-        }
-    }
-
-    @Test
-    fun `the page of columns has a table for each file, with every column and its dimension`() {
-        val guide = Repository.read("docs/columns.md").lines()
-        for (table in tables) {
-            val head = guide.indexOf("| `${table.file}` | dimension | what |")
-            assertTrue(head >= 0) { "docs/columns.md has no table of the columns of ${table.file}" }
-            val rows = guide.drop(head + 2).takeWhile { it.startsWith("|") }.map { it.split('|') }
-            val told = rows.flatMap { cells ->
-                Regex("`(\\w+)`").findAll(cells[1]).map { it.groupValues[1] to cells[2].trim() }
-            }
-            val declared = table.columns.map { it.name to it.dimension.replace("^2", "²").replace("^3", "³") }
-            assertEquals(declared, told) { table.file }
         }
     }
 
