@@ -10,9 +10,10 @@ import kotlin.math.floor
 internal class DiscLayer(private val scene: Scene, private val raster: DiscRaster) {
     private val view = scene.view
     private val window = view.window
-    private val up = scene.options.view.up
-    private val along = scene.options.view.depth
-    private val nearer = scene.options.view.nearer
+    private val right = scene.sight.across
+    private val up = scene.sight.up
+    private val along = scene.sight.depth
+    private val nearer = scene.sight.nearer
     private var count = 0
     private var x = DoubleArray(FIRST)
     private var y = DoubleArray(FIRST)
@@ -46,7 +47,7 @@ internal class DiscLayer(private val scene: Scene, private val raster: DiscRaste
             if (box.isNear(k, r)) {
                 addImages(state, box, k)
             } else {
-                add(k, r, p.y[k], p.position(up)[k], p.position(along)[k])
+                add(k, r, p.position(right)[k], p.position(up)[k], p.position(along)[k])
             }
         }
     }
@@ -58,7 +59,8 @@ internal class DiscLayer(private val scene: Scene, private val raster: DiscRaste
             // An image beyond a face may have slid out of the box along the line of sight.
             val period = box.period(along)
             if (period > 0) depth -= floor((depth - state.boundary.box.lower(along)) / period) * period
-            add(k, p.radius[k], p.y[k] + box.shift(code, 1), p.position(up)[k] + box.shift(code, up), depth)
+            val x = p.position(right)[k] + box.shift(code, right)
+            add(k, p.radius[k], x, p.position(up)[k] + box.shift(code, up), depth)
         }
     }
 

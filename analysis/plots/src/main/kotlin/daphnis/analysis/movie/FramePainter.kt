@@ -27,7 +27,7 @@ internal class FramePainter(private val scene: Scene, private val legend: Legend
     /** Paints [state]; the picture is valid until the next call. */
     fun paint(state: State, clock: String): BufferedImage {
         pixels.fill(ColourMap.SPACE)
-        val box = PictureBox(state, view, options.view.up)
+        val box = PictureBox(state, view, scene.sight)
         grid?.let { weigh(state, box, it) }
         walls(state)
         if (scene.isImage) ground(box, grid!!)
@@ -40,7 +40,7 @@ internal class FramePainter(private val scene: Scene, private val legend: Legend
     }
 
     private fun walls(state: State) {
-        val cut = WallCut(state, 1, options.view.up)
+        val cut = WallCut(state, scene.sight.across, scene.sight.up)
         if (cut.isEmpty) return
         for (row in 0 until view.height) {
             val above = view.window.top - (row + 0.5) / view.scaleY
@@ -65,12 +65,13 @@ internal class FramePainter(private val scene: Scene, private val legend: Legend
         val beyond = scene.cell * (scene.passes + 1) / minOf(view.scaleX, view.scaleY)
         val p = state.population
         val window = view.window
-        val above = p.position(options.view.up)
+        val across = p.position(scene.sight.across)
+        val above = p.position(scene.sight.up)
         for (k in 0 until p.size) {
             if (!state.isParticle(k) || scene.isImage && scene.isDisc(p.radius[k])) continue
             for (code in if (box.isPart && box.isNear(k, beyond)) box.codes else ITSELF) {
-                val x = p.y[k] + box.shift(code, 1)
-                val y = above[k] + box.shift(code, options.view.up)
+                val x = across[k] + box.shift(code, scene.sight.across)
+                val y = above[k] + box.shift(code, scene.sight.up)
                 if (x !in window.left..window.right || y !in window.bottom..window.top) continue
                 grid.add(view.x(x), view.y(y), p.mass[k], state.quantity(options.colour, k))
             }

@@ -43,25 +43,18 @@ public class MovieOptions @JvmOverloads constructor(
 }
 
 /**
- * From where a movie looks; y is to the right in both views, as in the pictures of a report. The side that is nearest
- * in the view from the side is the lower edge of the view from above.
+ * From where a movie looks; y is to the right in both views, as in the pictures of a report, but x of what is more than
+ * four times as long along x as along y. The side that is nearest in the view from the side is the lower edge of the
+ * view from above.
  *
  * @property word for it on the command line
- * @property up the axis that points up in the picture
- * @property depth the axis along which one looks
- * @property nearer 1 where what has a larger coordinate along [depth] is nearer, −1 where it is farther
  */
-public enum class MovieView(
-    public val word: String,
-    internal val up: Int,
-    internal val depth: Int,
-    internal val nearer: Double,
-) {
-    /** From above: x upward. */
-    TOP("top", 0, 2, 1.0),
+public enum class MovieView(public val word: String) {
+    /** From above: x upward, or y where x is to the right. */
+    TOP("top"),
 
-    /** From the side, along x: z upward. */
-    SIDE("side", 2, 0, -1.0),
+    /** From the side, along x, or y where x is to the right: z upward. */
+    SIDE("side"),
 }
 
 /**

@@ -6,11 +6,13 @@ import daphnis.core.space.Images
 import kotlin.math.roundToInt
 
 /**
- * The box of a [state] in a picture, in which y is to the right and the axis [up] is up, and the images beyond its
- * faces. Where the box changes, the window is that of the widest, and a narrower one fills a part of it: columns from
- * [firstColumn] until [endColumn], rows from [firstRow] until [endRow]. Along axes without images it has no ends.
+ * The box of a [state] in a picture with the axes of a [Sight], and the images beyond its faces. Where the box changes,
+ * the window is that of the widest, and a narrower one fills a part of it: columns from [firstColumn] until
+ * [endColumn], rows from [firstRow] until [endRow]. Along axes without images it has no ends.
  */
-internal class PictureBox(private val state: State, private val view: Viewport, private val up: Int) {
+internal class PictureBox(private val state: State, private val view: Viewport, sight: Sight) {
+    private val across = sight.across
+    private val up = sight.up
     private val box = state.boundary.box
     private val images = Images().apply { prepare(state.boundary, state.time) }
     private val window = view.window
@@ -23,8 +25,8 @@ internal class PictureBox(private val state: State, private val view: Viewport, 
     init {
         fun cut(axis: Int, isNarrower: Boolean, place: Double, whole: Int) =
             if (images.period(axis) > 0 && isNarrower) place.roundToInt() else whole
-        firstColumn = cut(1, box.lower(1) > window.left, view.x(box.lower(1)), view.firstColumn)
-        endColumn = cut(1, box.upper(1) < window.right, view.x(box.upper(1)), view.endColumn)
+        firstColumn = cut(across, box.lower(across) > window.left, view.x(box.lower(across)), view.firstColumn)
+        endColumn = cut(across, box.upper(across) < window.right, view.x(box.upper(across)), view.endColumn)
         firstRow = cut(up, box.upper(up) < window.top, view.y(box.upper(up)), 0)
         endRow = cut(up, box.lower(up) > window.bottom, view.y(box.lower(up)), view.height)
     }
@@ -38,7 +40,7 @@ internal class PictureBox(private val state: State, private val view: Viewport, 
     fun shift(code: Int, axis: Int): Double = images.shift(code, axis)
 
     /** Whether sphere [k] is nearer than [distance] to a face that is seen and has images beyond it. */
-    fun isNear(k: Int, distance: Double): Boolean = isNear(1, k, distance) || isNear(if (up == 0) 0 else 2, k, distance)
+    fun isNear(k: Int, distance: Double): Boolean = isNear(across, k, distance) || isNear(up, k, distance)
 
     private fun isNear(axis: Int, k: Int, distance: Double): Boolean {
         val place = state.population.position(axis)[k]
@@ -47,11 +49,14 @@ internal class PictureBox(private val state: State, private val view: Viewport, 
 
     /** Codes of a sphere and its images that may be seen, itself among them. */
     val codes: IntArray = run {
-        fun reach(axis: Int, isSeen: Boolean) = if (isSeen && images.period(axis) > 0) -REACH..REACH else 0..0
+        fun reach(axis: Int): IntRange {
+            val isSeen = axis == across || axis == up
+            return if (isSeen && images.period(axis) > 0) -REACH..REACH else 0..0
+        }
         val list = ArrayList<Int>()
-        for (iz in reach(2, up == 2)) {
-            for (iy in reach(1, true)) {
-                for (ix in reach(0, up == 0)) list += Images.code(ix, iy, iz)
+        for (iz in reach(2)) {
+            for (iy in reach(1)) {
+                for (ix in reach(0)) list += Images.code(ix, iy, iz)
             }
         }
         list.toIntArray()

@@ -5,6 +5,7 @@ import daphnis.analysis.plot.PlotScale
 /**
  * What all frames of a movie have in common.
  *
+ * @property sight which axes the picture has
  * @property isImage whether most particles are smaller than what is drawn as a disc, and make an image of their
  *   surface density together
  * @property cell of the surface density, in pixels; [passes] of smoothing follow
@@ -15,6 +16,7 @@ import daphnis.analysis.plot.PlotScale
 internal class Scene(
     val options: MovieOptions,
     val view: Viewport,
+    val sight: Sight,
     val isImage: Boolean,
     val cell: Int,
     val passes: Int,

@@ -13,6 +13,7 @@ import kotlin.math.sqrt
  * shot away does not make all others small and dark. First [look] at the samples, then [weigh] each, then [scene].
  */
 internal class Survey(private val options: MovieOptions) {
+    private var sight: Sight? = null
     private var window: Window? = null
     private var colours: ColourRange? = null
 
@@ -36,6 +37,7 @@ internal class Survey(private val options: MovieOptions) {
         val of = (0 until state.population.size).filter(state::isParticle)
         val radius = state.population.radius
         number = maxOf(number, of.size)
+        if (sight == null) sight = Sight.of(options.view, state.boundary.box)
         val seen = windowOf(state, thinned(of))
         window = window?.union(seen) ?: seen
         if (of.isEmpty()) return
@@ -74,8 +76,8 @@ internal class Survey(private val options: MovieOptions) {
     }
 
     private fun windowOf(state: State, of: List<Int>): Window {
-        val (left, right) = extent(state, 1, of)
-        val (bottom, top) = extent(state, options.view.up, of)
+        val (left, right) = extent(state, sight!!.across, of)
+        val (bottom, top) = extent(state, sight!!.up, of)
         return Window(left, right, bottom, top)
     }
 
@@ -105,8 +107,8 @@ internal class Survey(private val options: MovieOptions) {
         val p = state.population
         for (k in 0 until p.size) {
             if (!state.isParticle(k) || isImage && Scene.isDisc(view, p.radius[k])) continue
-            val x = p.y[k]
-            val y = p.position(options.view.up)[k]
+            val x = p.position(sight!!.across)[k]
+            val y = p.position(sight!!.up)[k]
             if (x !in view.window.left..view.window.right || y !in view.window.bottom..view.window.top) continue
             grid.add(view.x(x), view.y(y), p.mass[k], 0.0)
         }
@@ -118,7 +120,8 @@ internal class Survey(private val options: MovieOptions) {
     fun scene(units: UnitNames, omega: Double?): Scene {
         val range = if (options.colour == MovieColour.DENSITY) ColourRange(0.0, densest) else colours
         val scale = PlotScale(units, omega, if (meanRadius > 0) meanRadius else 1.0)
-        return Scene(options, view, isImage, cell, passes, range ?: ColourRange(0.0, 0.0), densest, scale, materials)
+        val shown = range ?: ColourRange(0.0, 0.0)
+        return Scene(options, view, sight!!, isImage, cell, passes, shown, densest, scale, materials)
     }
 
     private companion object {

@@ -26,12 +26,13 @@ internal class EllipsoidSection(private val study: Study) : Section {
         }
     private val isTurned by lazy { AxesInPlane.isSeen(study.motion, study.bulk.particles) }
 
-    /** Whether no direction differs from another by what moves the spheres: a box without walls, flow or forces. */
+    /** Whether no direction differs from another by what moves the spheres: a box alike along all axes, at rest. */
     private val isAlikeInAll: Boolean
         get() = study.input.scenario?.let { scenario ->
             val boundary = study.last.boundary
             scenario.frame == null && scenario.forces.isEmpty() && boundary.meanFlow == null &&
-                (0 until study.last.dimensions).all { boundary.repeats(it) }
+                !scenario.boundary.drives && boundary.walls.surfaces.isEmpty() &&
+                (0 until study.last.dimensions).distinctBy { boundary.contactFaces(it) }.size == 1
         } == true
 
     override fun write(page: ReportPage) {

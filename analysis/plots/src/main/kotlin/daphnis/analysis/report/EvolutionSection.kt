@@ -76,10 +76,10 @@ internal class EvolutionSection(private val study: Study) : Section {
                 plots.temperaturePlot(temperatures + listOfNotNull(haff)),
                 "temperature",
                 "granular temperature over time",
-                "Granular temperature$ofSpins; " + if (haff == null) {
-                    "steady where it no longer drifts."
+                "Granular temperature$ofSpins" + if (haff == null) {
+                    "."
                 } else {
-                    "Haff's law begins at the first row, with the rate of Enskog (Garzó & Dufty 1999)."
+                    "; Haff's law begins at the first row, with the rate of Enskog (Garzó & Dufty 1999)."
                 },
                 SeriesPlots.HEIGHT,
             )

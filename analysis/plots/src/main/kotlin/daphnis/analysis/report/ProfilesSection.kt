@@ -20,6 +20,9 @@ internal class ProfilesSection(private val study: Study) : Section {
     private val azimuthal = Averaged(Profile(1, box.lowerY, box.upperY, bins(box.length(1))))
     private val vertical = Averaged(if (study.isRing) overHeight() else overBox())
 
+    private val height = if (study.isRing || DrivenWalls.isUnderGravity(study)) "height z" else "z"
+    private val overHeight = if (height == "z") "along z" else "over height"
+
     private val isOfDiscs = study.last.boundary.space.isPlane
     private val isAcrossY = study.last.boundary.meanFlow?.normalAxis == 1
     private val across = if (isAcrossY) azimuthal else radial
@@ -80,7 +83,7 @@ internal class ProfilesSection(private val study: Study) : Section {
         val planes = if (study.mayFreeze) PLANES else ""
         drawn(page, radial, across, column, radialName, caption + planes)
         if (overHeight == null) return
-        drawn(page, vertical, overHeight, "filling_factor", "height z", "Filling factor over height.$planes")
+        drawn(page, vertical, overHeight, "filling_factor", height, "Filling factor ${this.overHeight}.$planes")
     }
 
     /** Writes the table of a profile. */
@@ -141,7 +144,7 @@ internal class ProfilesSection(private val study: Study) : Section {
         val count = vertical.column(Profile.COLUMNS.indexOf("count"))
         val isSeen = BooleanArray(count.size) { count[it].mean * vertical.averages.size >= FEWEST_IN_BIN }
         if (isSeen.none { it }) {
-            page.paragraph("No mean square velocities over height: no bin has $FEWEST_IN_BIN particles in all states.")
+            page.paragraph("No mean square velocities $overHeight: no bin has $FEWEST_IN_BIN particles in all states.")
             return
         }
         val unit = study.scale.speed * study.scale.speed
@@ -156,11 +159,12 @@ internal class ProfilesSection(private val study: Study) : Section {
         }
         val label = UnitNames.axis("mean square velocity", study.scale.temperatureName)
         val flow = WallDrive.remark(study)
-        val caption = "Mean square velocities over height by component, around the mean of each bin, by number" +
+        val streams = if (DrivenWalls.isUnderGravity(study)) STREAMS else ""
+        val caption = "Mean square velocities $overHeight by component, around the mean of each bin, by number" +
             (if (flow.isEmpty()) "." else "; $flow within a bin.") +
-            " Bins with fewer than $FEWEST_IN_BIN particles in all states are left out." + STREAMS
-        val figure = Chart.lines(curves, study.lengthAxis("height z"), label)
-        study.draw(page, figure, "vertical-temperature", "mean square velocities over height", caption)
+            " Bins with fewer than $FEWEST_IN_BIN particles in all states are left out.$streams"
+        val figure = Chart.lines(curves, study.lengthAxis(height), label)
+        study.draw(page, figure, "vertical-temperature", "mean square velocities $overHeight", caption)
     }
 
     /** The flow of a sheared box as it is, beside the straight line that the boundary drives. */

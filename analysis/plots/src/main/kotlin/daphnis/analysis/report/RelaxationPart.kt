@@ -57,12 +57,19 @@ internal class RelaxationPart(
                 Chart.lines(listOf(chi, single), axis, "dynamic susceptibility χ₄(t)", logX = true, horizontal = 0.0),
                 "dynamic-susceptibility",
                 "dynamic susceptibility",
-                "Dynamic susceptibility χ₄ = N (⟨Q²⟩ − ⟨Q⟩²), at constant number and energy. Particles that move " +
+                "Dynamic susceptibility χ₄ = N (⟨Q²⟩ − ⟨Q⟩²), at constant number${energy()}. Particles that move " +
                     "independently have Q (1 − Q). $bars",
             )
             columns += listOf(Column("chi_4", "", chi.y), Column("chi_4_error", "", error))
         }
         Table("overlap", columns).write(study.tables)
+    }
+
+    /** Of elastic spheres that nothing drives. */
+    private fun energy(): String {
+        val scenario = study.input.scenario ?: return ""
+        val isKept = scenario.forces.isEmpty() && ElasticGas.isAtRest(scenario, study.last)
+        return if (isKept) " and energy" else ""
     }
 
     private fun waves(page: ReportPage, scattering: IntermediateScattering) {

@@ -88,7 +88,7 @@ internal class ReportPage(private val title: String) {
 
     private fun comparison(row: NumberRow): String {
         val reference = row.reference ?: return "<td></td><td></td><td></td>"
-        val value = ReportText.withError(reference.value, reference.bound).replace(" ±", ", to")
+        val value = ReportText.withError(reference.value, reference.bound).replace(" ±", ", good to")
         return "<td class=\"n\">$value</td><td class=\"n\">${difference(row, reference)}</td>" +
             "<td>${escape(reference.source)}</td>"
     }
@@ -99,7 +99,7 @@ internal class ReportPage(private val title: String) {
         val difference = row.value - reference.value
         val percent = String.format(Locale.ROOT, "%+.1f %%", 100 * difference / abs(reference.value))
         val errors = if (row.error > 0) String.format(Locale.ROOT, "%+.1f σ, ", difference / row.error) else ""
-        val verdict = if (reference.agrees(row.value, row.error)) "within" else "beyond"
+        val verdict = if (reference.agrees(row.value, row.error)) "within bounds" else "beyond"
         return "${signed(percent)} (${signed(errors)}$verdict)"
     }
 

@@ -61,8 +61,9 @@ internal class RunSection(private val study: Study) : Section {
             val scenario = study.input.scenario?.takeIf { study.input.directory != null } ?: return null
             val longer = rows.mapNotNull { it.unknown?.longer }.maxOrNull() ?: return null
             val until = until(scenario.startTime, longer * ((scenario.until ?: return null) - scenario.startTime))
+            val ofTime = if (study.isRing) " (time ${study.time(until.toDouble())})" else ""
             val options = (outputs(study, scenario.output, longer) + "--until $until").joinToString(" ")
-            return "A run with $options may be long enough for these errors."
+            return "A run with $options may be long enough for these errors$ofTime."
         }
 
         /** What a run that is [longer] by that factor is to write more often to have [ENOUGH] of it. */

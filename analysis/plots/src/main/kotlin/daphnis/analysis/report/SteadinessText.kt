@@ -122,7 +122,7 @@ internal class SteadinessText(
         const val COOLING = "nothing replaces the energy that collisions take, so a longer run is not steady either; " +
             "a thermostat makes one that is (--set 'forces=[{\"type\":\"rescaling\",\"temperature\":1}]'). " +
             "Cumulants and ratios of temperatures may be steady meanwhile, but have no ± either: " +
-            "the gas collides less and less often, so its later states are less independent than the earlier ones"
+            "its spheres get slower, so its later states are less independent than the earlier ones"
         const val HIDDEN = "a drift of a quarter of the average may hide in the fluctuations"
         const val MISSED = "A smaller one than this part of the average may have been missed, with 95 % confidence"
     }

@@ -33,10 +33,13 @@ internal class SurfacePart(private val study: Study) : Part {
         if (pattern == null) CentralRidge.of(autocorrelations, lagX, lagY, dx, dy) else null
     }
 
+    /** Without it nothing makes wakes, though clumps may look so. */
+    private val hasGravity get() = study.input.scenario == null || study.bulk.criticalWavelength > 0
+
     private fun cells(axis: Int) = Math.rint(box.length(axis) / cell).toInt().coerceAtLeast(1)
 
-    /** A space that repeats along z has no surface to look down on; of a file nobody knows. */
-    private val isLayer = study.isRing || !study.last.boundary.repeats(2) || study.input.scenario == null
+    /** A box that is filled, or a bed in it, has no surface to look down on; of a file nobody knows. */
+    private val isLayer = study.isRing || study.last.boundary.space.isPlane || study.input.scenario == null
 
     override fun add(state: State) {
         if (!isLayer) return
@@ -80,7 +83,7 @@ internal class SurfacePart(private val study: Study) : Part {
 
     private fun wakes(page: ReportPage) {
         table()
-        if (pattern == null) {
+        if (pattern == null && hasGravity) {
             page.paragraph(
                 "No pitch angle and no spacing of wakes: the strongest wave of the surface density goes along the " +
                     "orbit, is about as long as the patch is wide, or is no stronger than those in other directions.",
@@ -98,7 +101,7 @@ internal class SurfacePart(private val study: Study) : Part {
     fun rows(): List<NumberRow> {
         if (!study.isRing || autocorrelations.isEmpty()) return emptyList()
         val rows = NumberRows()
-        pattern?.let { ofWave(rows, it) } ?: ridge?.let {
+        pattern?.let { ofWave(rows, it) } ?: ridge?.takeIf { hasGravity }?.let {
             val note = "from the orbit, trailing positive; where A falls off most slowly"
             rows.average(null, "pitch angle of the central ridge of A", it.pitch * (180 / PI), "degrees", note)
         }

@@ -10,7 +10,18 @@ internal object Unsteady {
     private fun hasMoon(study: Study) = MoonEncounter.moons(study.input.scenario).any { !it.returns }
 
     fun advice(study: Study): String =
-        advice(hasMoon(study), study.motion.totalDispersion.mean / study.motion.thermalDispersion.mean)
+        transient(study)
+            ?: advice(hasMoon(study), study.motion.totalDispersion.mean / study.motion.thermalDispersion.mean)
+
+    /** Of a run into which spheres only come, or which they only leave; null for others. */
+    private fun transient(study: Study): String? {
+        val sources = study.input.scenario?.sources.orEmpty()
+        return when {
+            sources.isEmpty() || sources.any { it.takes } && sources.any { it.brings } -> null
+            sources.any { it.brings } -> "spheres only come, so averages are over a time in which the run fills"
+            else -> "spheres only leave, so averages are over a time in which the run empties"
+        }
+    }
 
     /** Of a ring in which a wave grows in the time averaged, which the one is that grows last; null for others. */
     fun growth(study: Study): String? {

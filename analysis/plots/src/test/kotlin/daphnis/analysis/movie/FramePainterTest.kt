@@ -46,6 +46,25 @@ class FramePainterTest {
         getRGB(((across + 5) * 40).toInt(), ((5 - up) * 40).toInt()) and 0xffffff != ColourMap.SPACE
 
     @Test
+    fun `what is thin along y has x to the right`() {
+        val thin = Box.centred(40.0, 8.0, 8.0)
+        val state = state(Periodic(thin), Sphere(15.0, 1.0, -2.0, r = 0.5))
+        for ((view, up) in listOf(MovieView.TOP to 1.0, MovieView.SIDE to -2.0)) {
+            val image = paint(state, view)
+            // 10 pixels per length; the window is as high as the box.
+            fun shows(x: Double, y: Double) =
+                image.getRGB(((x + 20) * 10).toInt(), ((4 - y) * 10).toInt()) and 0xffffff != ColourMap.SPACE
+            assertTrue(shows(15.0, up) && shows(15.4, up) && !shows(14.0, up) && !shows(-15.0, up)) { "$view" }
+        }
+        // Of two behind one another along y the one with the smaller y is in front.
+        val two = state(Periodic(thin), Sphere(0.0, -1.0, 0.0, r = 0.4), Sphere(0.0, 1.0, 0.0, r = 0.5))
+        val front = paint(two, MovieView.SIDE).getRGB(200, 40) and 0xffffff
+        val other = state(Periodic(thin), Sphere(0.0, 1.0, 0.0, r = 0.5), Sphere(9.0, 0.0, 0.0, r = 0.4))
+        val alone = paint(other, MovieView.SIDE)
+        assertTrue(front != alone.getRGB(200, 40) and 0xffffff)
+    }
+
+    @Test
     fun `what is behind a wall is grey, as it is in the middle of the box`() {
         val along = listOf(1.0, 0.0, 0.0)
         val drum = Walls(box, surfaces = listOf(CylinderWall(List(3) { 0.0 }, along, 4.0)))

@@ -61,7 +61,8 @@ class AnalysisTest {
             assertTrue(">$heading</h2>" in html) { heading }
         }
         assertTrue("35° elevation and 15° azimuth" in html && "Pair correlation in the x-y plane" in html)
-        assertTrue("No pitch angle and no spacing of wakes" in html)
+        // Without gravity there are no wakes to look for.
+        assertTrue("pitch angle" !in html && "spacing of wakes" !in html)
         // Nothing from outside: every picture is data, no script, no link but those within the page.
         assertFalse(Regex("""(src|href)="(?!data:|#)""").containsMatchIn(html))
         assertFalse("<script" in html)

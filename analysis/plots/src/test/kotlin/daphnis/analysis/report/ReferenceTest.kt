@@ -108,7 +108,7 @@ class ReferenceTest {
         fun page(value: Double, error: Double) =
             ReportPage("t").apply { numbers(listOf(NumberRow("c", value, error, "m", reference))) }.html("")
         val within = page(9.0, 0.2)
-        assertTrue("10.00, to 0.90" in within && "−10.0 % (−5.0 σ, within)" in within) { within }
+        assertTrue("10.00, good to 0.90" in within && "−10.0 % (−5.0 σ, within bounds)" in within) { within }
         assertTrue("−20.0 % (−10.0 σ, beyond)" in page(8.0, 0.2))
         assertTrue("−10.0 % (beyond)" in page(9.0, 0.0))
         assertTrue("10.0 %" !in page(9.0, Double.NaN)) { "a number without an error may differ by chance" }
