@@ -25,6 +25,16 @@ internal class MoonPart private constructor(
     /** Where the moon is along the orbit, at the time of the last state. */
     val y: Double = now(moon).state(orbits)[1]
 
+    /** Where all moons are at the time of the last state, in words: they are no spheres, and mostly beside the patch. */
+    val standing: String
+        get() {
+            val places = all.joinToString(" and ") { moon ->
+                val at = now(moon).state(orbits)
+                "x = ${ReportText.short(at[0])}, y = ${ReportText.short(at[1])} ${units.length}"
+            }
+            return "${if (all.size == 1) "The satellite, not drawn, is" else "Satellites, not drawn, are"} at $places."
+        }
+
     /** [moon] where the ring has pulled it, if it feels that and the run has rows with this [number]; else as given. */
     private fun seen(moon: Moon, number: Int): Moon {
         val now = study.input.bodies.find { it.id == number }?.orbit(last.time, orbits) ?: return moon

@@ -18,7 +18,7 @@ internal class PictureSection(private val study: Study) : Section {
             else -> "$right to the right, ${if (isTurned) "y" else "x"} up"
         }
         fun rest(bar: String, part: String?) = "The bar is $bar.${part?.let { " $it." }.orEmpty()}"
-        val above = rest(picture.bar, picture.partAbove)
+        val above = rest(picture.bar, picture.partAbove) + MoonPart.of(study)?.let { " ${it.standing}" }.orEmpty()
         page.png(
             picture.writeAbove(study.plots, "patch-above"),
             "the ${study.place} from above",

@@ -5,6 +5,7 @@ import daphnis.analysis.insitu.State
 import daphnis.analysis.report.ReportText.count
 import daphnis.analysis.report.ReportText.short
 import daphnis.analysis.table.UnitNames
+import daphnis.core.boundary.ContactFaces
 import daphnis.core.run.ProgramRecord
 import daphnis.core.run.Summary
 import daphnis.core.scenario.BoundarySpec
@@ -27,7 +28,10 @@ internal class RunParameters(private val input: AnalysisInput, private val last:
         val smallest = short(radius.min())
         val largest = short(radius.max())
         rows += if (smallest == largest) "radius" to length(smallest) else "radii" to length("$smallest to $largest")
-        rows += "box" to length((0 until box.space.dimensions).joinToString(" × ") { short(box.length(it)) })
+        val open = (0 until box.space.dimensions).filter { last.boundary.contactFaces(it) == ContactFaces.OPEN }
+        val isOpen = input.scenario != null && open.isNotEmpty() && last.boundary.walls.surfaces.isEmpty()
+        val beyond = if (isOpen) ", open along ${open.joinToString { "xyz"[it].toString() }}" else ""
+        rows += "box" to length((0 until box.space.dimensions).joinToString(" × ") { short(box.length(it)) }) + beyond
         boundary()?.let { rows += "boundary" to it }
         if (!input.hasVelocities) rows += "velocities" to "the file has no velocities"
         val omega = input.omega ?: return rows

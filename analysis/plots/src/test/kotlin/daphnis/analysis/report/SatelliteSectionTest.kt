@@ -40,6 +40,11 @@ class SatelliteSectionTest {
         assertEquals("km/orbit", numbers.getValue("satellite_drift")[3])
         val html = Files.readString(path.resolve("report.html"))
         assertTrue(">Satellites</h2>" in html && "on satellite 2 along its orbit" in html)
+        // In the caption of the picture, where they are not drawn: at the time of the last state.
+        val standing = Regex("Satellites, not drawn, are at x = (\\S+), y = \\S+ km and x = (\\S+), y = \\S+ km\\.")
+        val (first, second) = standing.find(html)!!.destructured
+        assertEquals(0.0, first.replace('−', '-').toDouble() + second.replace('−', '-').toDouble(), 0.3)
+        assertTrue("open along x, z" in html)
         assertFalse(">Moonlets</h2>" in html)
         for (plot in listOf("satellite-walk", "satellite-eccentricity")) {
             assertTrue("satellite 2" in Files.readString(path.resolve("plots/$plot.svg"))) { plot }
