@@ -114,7 +114,10 @@ public object BodyColumns : TableColumns {
     ) { it.orbit?.verticalPhase ?: Double.NaN }
 
     @JvmField
-    public val IMPACTS: Column = rows.whole("impacts", "since the row before, or the start of the run, as both pushes") { it.push.count }
+    public val IMPACTS: Column = rows.whole(
+        "impacts",
+        "since the row before, or the start of the run, as both pushes",
+    ) { it.push.count }
 
     @JvmField
     public val IMPACT_PUSH: Column = rows.number(
