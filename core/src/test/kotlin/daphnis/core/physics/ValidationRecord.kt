@@ -72,7 +72,8 @@ internal class ValidationRecord(val groups: List<ValidationGroup>) {
         val all = groups.flatMap { it.rows }
         val bad = groups.flatMap { group -> group.rows.filter { it.ok == "no" }.map { group.group to it } }
         val list = bad.joinToString("") { (group, row) ->
-            wrapped("- $group: ${row.quantity.replace("|", "\\|")}, ${row.measured} and not ${row.target}.", "  ") + "\n"
+            wrapped("- $group: ${row.quantity.replace("|", "\\|")}, ${row.measured} and not ${row.target}.", "  ") +
+                "\n"
         }
         val head = "${all.size} numbers, ${all.count { it.ok == "ok" }} within their bound and ${bad.size} not; " +
             "of the others nothing is asked.\n\n$list"

@@ -9,9 +9,8 @@ internal object Unsteady {
 
     private fun hasMoon(study: Study) = MoonEncounter.moons(study.input.scenario).any { !it.returns }
 
-    fun advice(study: Study): String =
-        transient(study)
-            ?: advice(hasMoon(study), study.motion.totalDispersion.mean / study.motion.thermalDispersion.mean)
+    fun advice(study: Study): String = transient(study)
+        ?: advice(hasMoon(study), study.motion.totalDispersion.mean / study.motion.thermalDispersion.mean)
 
     /** Of a run into which spheres only come, or which they only leave; null for others. */
     private fun transient(study: Study): String? {

@@ -51,6 +51,7 @@ class FramePainterTest {
         val state = state(Periodic(thin), Sphere(15.0, 1.0, -2.0, r = 0.5))
         for ((view, up) in listOf(MovieView.TOP to 1.0, MovieView.SIDE to -2.0)) {
             val image = paint(state, view)
+
             // 10 pixels per length; the window is as high as the box.
             fun shows(x: Double, y: Double) =
                 image.getRGB(((x + 20) * 10).toInt(), ((4 - y) * 10).toInt()) and 0xffffff != ColourMap.SPACE
@@ -72,7 +73,11 @@ class FramePainterTest {
         fun BufferedImage.isWall(across: Double, up: Double) =
             getRGB(((across + 5) * 40).toInt(), ((5 - up) * 40).toInt()) and 0xffffff == ColourMap.WALL
         val side = paint(state, MovieView.SIDE)
-        for ((y, z) in listOf(4.1 to 0.0, -4.1 to 0.0, 0.0 to 4.1, 3.0 to -3.0)) assertTrue(side.isWall(y, z)) { "$y $z" }
+        for ((y, z) in listOf(4.1 to 0.0, -4.1 to 0.0, 0.0 to 4.1, 3.0 to -3.0)) {
+            assertTrue(side.isWall(y, z)) {
+                "$y $z"
+            }
+        }
         for ((y, z) in listOf(3.9 to 0.0, 0.0 to -3.9, 2.7 to 2.7, -3.0 to 0.0)) assertTrue(!side.isWall(y, z))
         assertTrue(side.shows(-3.0, 0.0))
         // The middle of the drum from above: it ends at y = ±4 for every x.

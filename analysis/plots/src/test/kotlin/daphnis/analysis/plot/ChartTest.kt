@@ -121,7 +121,9 @@ class ChartTest {
         for (end in listOf(0.0499, 4.99e5, 0.99, 123456.0)) {
             val x = DoubleArray(20) { end * it / 19 }
             val svg = Figures.svg(Chart.lines(listOf(Curve("a", x, x)), "x", "y"), 760, 340)
-            val below = Regex("translate\\(([\\d.]+) [\\d.]+\\)\" font-size=\"13\" text-anchor=\"middle\"[^>]*>([^<]*)<")
+            val below = Regex(
+                "translate\\(([\\d.]+) [\\d.]+\\)\" font-size=\"13\" text-anchor=\"middle\"[^>]*>([^<]*)<",
+            )
                 .findAll(svg).map { it.groupValues }.toList()
             assertTrue(below.size >= 3) { svg }
             val last = below.maxOf { it[1].toDouble() + 13 * TextWidth.of(it[2]) / 2 }
