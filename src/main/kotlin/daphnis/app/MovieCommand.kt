@@ -42,7 +42,8 @@ class MovieCommand : CliktCommand(name = "movie") {
         "--fps",
         help = "frames per second (default 25, or fewer so that few frames last about 4 s)",
     ).double()
-    private val width by option("--width", help = "width of the frames in pixels (default 1200)").int().default(1200)
+    private val width by option("--width", help = "width of the frames in pixels, 240 to 4096 (default 1200)")
+        .int().default(1200)
     private val out by option(
         "--out",
         metavar = "file",
