@@ -162,6 +162,19 @@ class BundleTest(Temporary):
         self.assertEqual(4, len([line for line in self.problems(moved) if "does not lie as in" in line]))
         self.assertEqual(["there is no POM"], self.problems({}))
 
+    def test_a_bundle_that_is_none_or_of_another_version(self) -> None:
+        self.sign()
+        with self.assertRaisesRegex(SystemExit, "there is no …/daphnis-bom/"):
+            central.check(self.zip)
+        pom = POM.replace(f"<version>{VERSION}", "<version>0.1.0")
+        found = self.problems({f"{FOLDER}/daphnis-core-{VERSION}.pom": pom.encode()})
+        self.assertTrue([line for line in found if f"is of 0.1.0, and version.txt says {VERSION}" in line], found)
+        self.zip.write_bytes(b"")
+        with self.assertRaisesRegex(SystemExit, "is no bundle"):
+            central.check(self.zip)
+        with self.assertRaisesRegex(SystemExit, "is no bundle"):
+            central.check(self.folder / "none.zip")
+
     def test_a_pom_that_lacks_something(self) -> None:
         parts = ("name", "description", "url", "licenses", "developers", "scm", "connection", "developerConnection")
         for part in parts:

@@ -171,9 +171,11 @@ def text(rows):
             ratio = f"{row['seconds'] / before[-1]['seconds']:.2f}" if before else ""
             per_step = 1e6 * row["seconds"] / max(1, row["spheres"] * row["steps"])
             memory = f"{row['memory_mib']:.0f}" if row["memory_mib"] == row["memory_mib"] else ""
+            processors = row["processor_seconds"]
+            of_processors = significant(processors) if processors == processors else ""
             lines.append(
                 f"| {row['case']} | {row['way']} | {row['engine']}, {row['threads']:.0f} | {row['spheres']:.0f} | "
-                f"{row['steps']:.0f} | {significant(row['seconds'])} | {significant(row['processor_seconds'])} | "
+                f"{row['steps']:.0f} | {significant(row['seconds'])} | {of_processors} | "
                 f"{significant(per_step)} | {memory} | {ratio} |"
             )
         lines.append("")

@@ -37,6 +37,8 @@ COLUMNS = (
     "processor_seconds memory_mib arithmetic_ns memory_ns"
 ).split()
 NUMBERS = COLUMNS[8:] + ["cores"]
+# What a system need not tell.
+UNKNOWN = ("processor_seconds", "memory_mib")
 
 # A run is repeated until it has had so many seconds, so many times at most; the fastest counts.
 ENOUGH = 10.0
@@ -115,7 +117,8 @@ def java_version():
 def commit():
     """The commit in twelve digits, with a + where files differ from it."""
     changed = words_of("git", "status", "--porcelain", "--untracked-files=no").stdout.splitlines()
-    changed = [line for line in changed if not line.endswith("bench/series.csv")]
+    own = ("bench/series.csv", page.PAGE, page.PICTURE)
+    changed = [line for line in changed if not line.endswith(own)]
     return words_of("git", "rev-parse", "--short=12", "HEAD").stdout.strip() + ("+" if changed else "")
 
 
@@ -132,7 +135,9 @@ def warm(case, words, steps, folder):
                "--rounds", str(MOST), "--out", str(out)]
     words_of(*command, *(["--steps", str(steps)] if steps else []))
     rounds = {}
-    with open(out / "timings.csv", newline="", encoding="utf-8") as file:
+    if not (out / "bench.csv").exists():
+        raise SeriesError(f"daphnis bench {words[0]} left no bench.csv")
+    with open(out / "bench.csv", newline="", encoding="utf-8") as file:
         for row in csv.DictReader(file):
             rounds.setdefault((row["engine"], int(row["threads"])), []).append(row)
     for (engine, threads), all_rounds in rounds.items():
@@ -204,7 +209,7 @@ def read(path):
     if not path.exists():
         return []
     rows = []
-    with open(path, newline="", encoding="utf-8") as file:
+    with open(path, newline="", encoding="utf-8", errors="replace") as file:
         lines = csv.reader(file)
         if next(lines, None) != COLUMNS:
             raise SeriesError(f"{path}: no series; its first line must be {','.join(COLUMNS)}")
@@ -216,8 +221,10 @@ def read(path):
                 row.update((k, float(row[k] or "nan")) for k in NUMBERS)
             except ValueError as e:
                 raise SeriesError(f"{path}: line {number}: {e}") from None
-            if not row["seconds"] > 0:
+            if not 0 < row["seconds"] < math.inf:
                 raise SeriesError(f"{path}: line {number}: {row['seconds']} s is no time")
+            if bad := [k for k in NUMBERS if k not in UNKNOWN and not 0 <= row[k] < math.inf]:
+                raise SeriesError(f"{path}: line {number}: {bad[0]} is {row[bad[0]]}")
             rows.append(row)
     return rows
 
@@ -229,8 +236,11 @@ def cell(value):
 
 
 def append(path, rows):
-    is_new = not path.exists()
+    before = path.read_bytes() if path.exists() else b""
+    is_new = not before
     with open(path, "a", newline="", encoding="utf-8") as file:
+        if before and not before.endswith(b"\n"):
+            file.write("\n")
         writer = csv.writer(file, lineterminator="\n")
         if is_new:
             writer.writerow(COLUMNS)
@@ -251,11 +261,13 @@ def last_entries(rows):
 def slower(new, old):
     """How many times as long [new] takes, on a machine that were as fast as it was for [old].
 
-    Real time and that of the processors, whichever lost less; the arithmetic unit or memory, whichever lost more: what
-    others do on the machine then passes for a loss as seldom as it can.
+    On one thread real time and that of the processors, whichever lost less; the arithmetic unit or memory, whichever
+    lost more: what others do on the machine then passes for a loss as seldom as it can. On several threads real time,
+    or threads that wait would be no loss.
     """
     of_machine = max(new[k] / old[k] for k in ("arithmetic_ns", "memory_ns"))
-    times = [new[k] / old[k] for k in ("seconds", "processor_seconds") if new[k] > 0 and old[k] > 0]
+    clocks = ("seconds", "processor_seconds") if new["threads"] == 1 else ("seconds",)
+    times = [new[k] / old[k] for k in clocks if new[k] > 0 and old[k] > 0]
     return min(times) / max(1.0, of_machine)
 
 

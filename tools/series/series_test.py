@@ -34,6 +34,11 @@ class Losses(unittest.TestCase):
         self.assertEqual(self.lost(seconds=3.0), [])
         self.assertEqual(self.lost(processor_seconds=3.0), [])
         self.assertEqual(len(self.lost(seconds=3.0, processor_seconds=math.nan)), 1)
+        self.assertEqual(len(self.lost([row(processor_seconds=0.0)], seconds=3.0)), 1)
+
+    def test_threads_that_wait_are_a_loss(self):
+        self.assertEqual(self.lost([row(threads=2.0)], threads=2.0, seconds=3.0), [1.5])
+        self.assertEqual(self.lost([row(threads=2.0)], threads=2.0, processor_seconds=3.0), [])
 
     def test_a_slower_machine_is_no_loss_and_a_faster_one_hides_none(self):
         slow = {"seconds": 3.0, "processor_seconds": 3.0}
@@ -90,6 +95,24 @@ class File(unittest.TestCase):
         self.assertEqual({**read[0], "memory_mib": 0}, {**first, "memory_mib": 0})
         self.assertEqual(read[1], second)
 
+    def test_what_is_appended_begins_a_line(self):
+        self.path.write_text("")
+        series.append(self.path, [row()])
+        self.path.write_text(self.path.read_text().rstrip("\n"))
+        series.append(self.path, [row(case="gas")])
+        self.assertEqual([r["case"] for r in series.read(self.path)], ["ring", "gas"])
+        self.path.write_bytes(self.path.read_bytes().replace(b"gas", b"g\xe4s"))
+        self.assertEqual(len(series.read(self.path)), 2)
+
+    def test_a_commit_is_that_of_the_sources(self):
+        said = {"status": "", "rev-parse": "abc\n"}
+        with mock.patch.object(series, "words_of", lambda *c: mock.Mock(stdout=said[c[1]])):
+            self.assertEqual(series.commit(), "abc")
+            said["status"] = f" M bench/series.csv\n M {page.PAGE}\n M {page.PICTURE}\n"
+            self.assertEqual(series.commit(), "abc")
+            said["status"] += " M pom.xml\n"
+            self.assertEqual(series.commit(), "abc+")
+
     def test_damage_is_named(self):
         series.append(self.path, [row()])
         whole = self.path.read_text()
@@ -97,7 +120,9 @@ class File(unittest.TestCase):
                             (whole + "1,2\n", "line 3: has 2 cells; 18 are needed"),
                             (whole.replace(",3,2,", ",3,two,"), "line 2: could not convert"),
                             (whole.replace(",3,2,", ",3,,"), "nan s is no time"),
-                            (whole.replace(",3,2,", ",3,-2,"), "-2.0 s is no time")):
+                            (whole.replace(",3,2,", ",3,-2,"), "-2.0 s is no time"),
+                            (whole.replace(",3,2,", ",3,inf,"), "inf s is no time"),
+                            (whole.replace(",one,2,", ",one,,"), "line 2: cores is nan")):
             self.path.write_text(text)
             with self.assertRaisesRegex(series.SeriesError, words):
                 series.read(self.path)
@@ -110,9 +135,9 @@ class Program(unittest.TestCase):
 case $1 in
 scenarios) printf 'elastic-gas  a gas\\nnew-one  another\\n' ;;
 bench) while [ "$1" != --out ]; do shift; done; mkdir -p "$2"
-printf 'scenario,spheres,engine,threads,steps,collisions,round,seconds,processor_seconds,java\\n' >"$2/timings.csv"
-printf 's,8,serial,1,4,2,1,.5,.6,17\\ns,8,serial,1,4,2,2,.4,.5,17\\n' >>"$2/timings.csv"
-printf 's,8,horizon,2,4,2,1,.3,.4,17\\n' >>"$2/timings.csv" ;;
+printf 'scenario,spheres,engine,threads,steps,collisions,round,seconds,processor_seconds,java\\n' >"$2/bench.csv"
+printf 's,8,serial,1,4,2,1,.5,.6,17\\ns,8,serial,1,4,2,2,.4,.5,17\\n' >>"$2/bench.csv"
+printf 's,8,horizon,2,4,2,1,.3,.4,17\\n' >>"$2/bench.csv" ;;
 run) [ "$2" = new-one ] && { echo "new-one: no" >&2; exit 2; }
 mkdir -p "$4"
 echo '{"engine": "horizon", "threads": 2, "particles": 8, "steps": 4, "collisions": 2}' >"$4/summary.json" ;;
@@ -183,6 +208,11 @@ class Page(unittest.TestCase):
         text = page.text(self.ROWS)
         self.assertIn("| ring | warm | serial, 1 | 100 | 10 | 3 | 2 | 3000 |  | 1.50 |", text)
         self.assertIn("| 99 |  |", text)
+
+    def test_the_head_has_the_span_and_unknown_times_are_blank(self):
+        self.assertIn("by entry, 2026-11-01 to 2026-11-02<", page.picture(self.ROWS[:2]))
+        self.assertIn("by entry, 2026-11-01<", page.picture(self.ROWS[:1]))
+        self.assertIn("| 2 |  | 2000 |", page.text([row(processor_seconds=math.nan)]))
 
     def test_axes_end_at_round_numbers(self):
         self.assertEqual([page.nice(v) for v in (0.03, 1, 1.1, 2.1, 7, 73)], [0.05, 1, 2, 5, 10, 100])
