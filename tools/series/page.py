@@ -146,7 +146,7 @@ def text(rows):
         "<!-- Written by tools/series/series.py from bench/series.csv. -->", "",
         "Seconds of a fixed suite from commit to commit. *Cold* is a whole `./daphnis run`, as it is typed; *warm* is",
         "the steps again and again in one process (`./daphnis bench`). The fastest round counts. What others do on",
-        "such a machine changes times by a third from day to day: a step in all charts is the machine, not the program.",
+        "such a machine changes times by a third: a step in all charts is the machine, not the program.",
         "",
         "```sh",
         "python3 tools/series/series.py           # measures all on a machine that does nothing else, half an hour",

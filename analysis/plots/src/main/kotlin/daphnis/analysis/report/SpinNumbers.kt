@@ -39,13 +39,15 @@ internal class SpinNumbers(private val study: Study, private val rows: NumberRow
         }
     }
 
-    /** Adds the fourth cumulants of a gas. */
+    /** Adds the fourth cumulants of a gas; of spheres at rest there are none. */
     fun addCumulants() {
         val flow = WallDrive.remark(study)
+        val ofVelocities = study.motion.cumulant("a2")
+        if (ofVelocities.mean.isNaN()) return
         rows.average(
             "velocity_a2",
             "fourth cumulant a₂ of velocities",
-            study.motion.cumulant("a2"),
+            ofVelocities,
             "",
             "⟨c⁴⟩ = ${if (space.isPlane) "2" else "(5/3)"} ⟨c²⟩² (1 + a₂), of √m c; 0 for Maxwellians of one " +
                 "temperature" +

@@ -54,6 +54,14 @@ class CoolingReportTest {
     }
 
     @Test
+    fun `spheres that rest have no cumulants`() {
+        val study = run("still", "velocities={\"type\":\"gaussian\",\"sigma\":0}", "until=2", "output.snapshotEvery=1")
+        Analysis(study.input).write(home.resolve("still"))
+        val numbers = Files.readString(home.resolve("still/tables/numbers.csv"))
+        assertTrue("granular_temperature,0.0" in numbers && "velocity_a2" !in numbers) { numbers }
+    }
+
+    @Test
     fun `no other gas has them`() {
         val others = listOf(
             "restitution={\"type\":\"constant\",\"coefficient\":0.6}",
