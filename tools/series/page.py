@@ -45,7 +45,7 @@ def ordered(items):
 
 
 def picture(rows):
-    """All machines one below another; times from 0, entries in their order."""
+    """All machines one below another; times over those of the first entry of each line, entries in their order."""
     parts, y = [], 0
     for machine in ordered(map(machine_of, rows)):
         own = [row for row in rows if machine_of(row) == machine]
@@ -54,7 +54,7 @@ def picture(rows):
         name = f"{machine[0]}, {machine[1]} cores, Java {machine[2]}"
         span = dates[0][:10] if dates[0][:10] == dates[-1][:10] else f"{dates[0][:10]} to {dates[-1][:10]}"
         parts.append(f'<text class="head" x="8" y="{y + 18}">{escape(name)}</text>')
-        parts.append(f'<text x="8" y="{y + 34}">seconds by entry, {span}</text>')
+        parts.append(f'<text x="8" y="{y + 34}">time over that of the first entry, {span}</text>')
         y += HEAD
         days = {}
         for row in own:
@@ -71,7 +71,7 @@ def picture(rows):
     total = y + 28
     return "\n".join([
         f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH * ACROSS} {total}" '
-        f'width="{WIDTH * ACROSS}" height="{total}" role="img" aria-label="seconds of each case by entry">',
+        f'width="{WIDTH * ACROSS}" height="{total}" role="img" aria-label="time of each case over that of its first entry">',
         style(), f'<rect class="paper" width="{WIDTH * ACROSS}" height="{total}"/>', *parts, *legend, "</svg>", "",
     ])
 
@@ -104,14 +104,17 @@ def mark(kind, x, y):
 
 def panel(case, rows, days, x0, y0):
     left, top, right, bottom = INNER
-    most = nice(max(row["seconds"] for row in rows))
+    first = {}
+    for row in rows:
+        first.setdefault(kind_of(row), row["seconds"])
+    most = nice(max(2.0, *(row["seconds"] / first[kind_of(row)] for row in rows)))
     width, height = WIDTH - left - right, HEIGHT - top - bottom
     last = max(days.values())
 
     def place(row):
         k = days[row["date"][:10], row["commit"]]
         x = x0 + left + (width * k / last if last else width / 2)
-        return x, y0 + top + height * (1 - row["seconds"] / most)
+        return x, y0 + top + height * (1 - row["seconds"] / first[kind_of(row)] / most)
 
     parts = [f'<text x="{x0 + left}" y="{y0 + 15}">{escape(case)}</text>']
     for part in (0, 0.5, 1):
@@ -144,7 +147,7 @@ def text(rows):
     lines = [
         "# Benchmarks as a series", "",
         "<!-- Written by tools/series/series.py from bench/series.csv. -->", "",
-        "Seconds of a fixed suite from commit to commit. *Cold* is a whole `./daphnis run`, as it is typed; *warm* is",
+        "Times of a fixed suite from commit to commit. *Cold* is a whole `./daphnis run`, as it is typed; *warm* is",
         "the steps again and again in one process (`./daphnis bench`). The fastest round counts. What others do on",
         "such a machine changes times by a third: a step in all charts is the machine, not the program.",
         "",
@@ -154,7 +157,7 @@ def text(rows):
         "```", "",
         "`./check --long` does the latter. Before each case work that never changes is timed, in the arithmetic unit",
         "and in memory; by how much it takes longer than it did, a case may too.", "",
-        f"![Seconds of each case over all entries](../{PICTURE.removeprefix('docs/')})", "",
+        f"![Time of each case over that of its first entry](../{PICTURE.removeprefix('docs/')})", "",
     ]
     for machine in ordered(map(machine_of, rows)):
         own = [row for row in rows if machine_of(row) == machine]

@@ -202,7 +202,11 @@ class Page(unittest.TestCase):
             self.assertIn(word, words)
         marks = [e for e in picture.iter() if e.get("class") == "mark"]
         self.assertEqual(len(marks), len(self.ROWS) + len(page.LINES))
-        self.assertEqual(sum(e.tag.endswith("polyline") for e in picture.iter()), 1)
+        lines = [e for e in picture.iter() if e.tag.endswith("polyline")]
+        self.assertEqual(len(lines), 1)
+        # The second entry takes 1.5 times as long as the first, on an axis from 0 to 2 that is 90 high.
+        heights = [float(point.split(",")[1]) for point in lines[0].get("points").split()]
+        self.assertAlmostEqual(heights[0] - heights[1], 90 * 0.25, delta=0.11)
 
     def test_the_table_has_the_last_entry_and_its_ratio(self):
         text = page.text(self.ROWS)
@@ -210,8 +214,8 @@ class Page(unittest.TestCase):
         self.assertIn("| 99 |  |", text)
 
     def test_the_head_has_the_span_and_unknown_times_are_blank(self):
-        self.assertIn("by entry, 2026-11-01 to 2026-11-02<", page.picture(self.ROWS[:2]))
-        self.assertIn("by entry, 2026-11-01<", page.picture(self.ROWS[:1]))
+        self.assertIn("first entry, 2026-11-01 to 2026-11-02<", page.picture(self.ROWS[:2]))
+        self.assertIn("first entry, 2026-11-01<", page.picture(self.ROWS[:1]))
         self.assertIn("| 2 |  | 2000 |", page.text([row(processor_seconds=math.nan)]))
 
     def test_axes_end_at_round_numbers(self):
