@@ -152,7 +152,7 @@ def text(rows):
         "such a machine changes times by a third: a step in all charts is the machine, not the program.",
         "",
         "```sh",
-        "python3 tools/series/series.py           # measures all on a machine that does nothing else, half an hour",
+        "python3 tools/series/series.py           # measures all on a machine that does nothing else, twenty minutes",
         "python3 tools/series/series.py --loss    # warns of what takes a tenth longer than in the last entry",
         "```", "",
         "`./check --long` does the latter. Before each case work that never changes is timed, in the arithmetic unit",

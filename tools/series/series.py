@@ -8,8 +8,8 @@
     … --only figure-1,ring-patch                only these cases
 
 Warm is a scenario's steps over and over in one process, engines in turns (`daphnis bench`); cold is a whole
-`daphnis run` as a user types it. The machine should do nothing else: half an hour for all, eight minutes for the short
-part. DAPHNIS names another program, JAVA_HOME another Java. Needs Python 3.10 and nothing else.
+`daphnis run` as a user types it. The machine should do nothing else: twenty minutes for all, a third of that for the
+short part. DAPHNIS names another program, JAVA_HOME another Java. Needs Python 3.10 and nothing else.
 """
 
 import argparse
